@@ -24,7 +24,7 @@
 --   frame_clocks     of the last frame: from the clock in which its first group enters the core to the one in which its
 --                    last disparity leaves it, both counted; a clock after frame_ends
 --   core_reset       a clock after aresetn or the end of a soft reset, from a register: it drives the whole core
--- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 4) words of (disparity_bits + 1) * P + 3 bits.
+-- Sizes: input buffer 2 * (16P + 2) bits; output queue (latency_clocks + 5) words of (disparity_bits + 1) * P + 3 bits.
 -- Generics: those of the core.
 library ieee;
 use ieee.std_logic_1164.all;
@@ -77,36 +77,38 @@ end entity;
 architecture rtl of stereo_axis is
   constant pixel_bits : positive := 8 * pixels_per_clock;
   constant map_bits : positive := disparity_bits * pixels_per_clock;
-  constant beat_bits : positive := 2 * pixel_bits + 2;
   constant word_bits : positive := map_bits + pixels_per_clock + 3;
-  constant credits : positive := latency_clocks + 4;
+  constant credits : positive := latency_clocks + 5;
 
   signal reset, clear, restart : std_logic;
-  signal s_beat, beat : std_logic_vector(beat_bits - 1 downto 0);
+  signal halted : std_logic := '0';  -- no frame has begun in this clock
+  signal beat_flags : std_logic_vector(1 downto 0);  -- start of frame, end of line
+  signal beat_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal beat_valid, beat_take : std_logic;
   signal may_send, may_start, sends, starts, breaks, at_rest, in_flight, all_back, stray : std_logic;
   signal stream_errors : std_logic_vector(3 downto 0);
   signal group_valid, group_start : std_logic;
   signal group_pixels : std_logic_vector(2 * pixel_bits - 1 downto 0);
   signal core_in_reset, shows, result : std_logic;
+  signal queues : std_logic := '0';  -- `queued` is a result: a clock later, for whether its frame is whole comes late
+  signal queued : std_logic_vector(word_bits - 1 downto 0);
   signal frame_error, ends, entering, leaving : std_logic;
-  signal result_word, word : std_logic_vector(word_bits - 1 downto 0);
+  signal word : std_logic_vector(word_bits - 1 downto 0);
   signal word_valid, taken : std_logic;
 begin
   reset <= not aresetn;
   clear <= reset or restart;
   -- When nothing is left in the core that could come out of it.
-  restart <= soft_reset and at_rest and not in_flight;
+  restart <= soft_reset and halted and at_rest and not in_flight;
   soft_reset_done <= restart;
 
-  s_beat <= s_axis_tuser & s_axis_tlast & s_axis_tdata;
-
   input_register : entity work.stream_register
-    generic map (width => beat_bits)
+    generic map (flag_bits => 2, data_bits => 2 * pixel_bits)
     port map (
       clock => aclk, reset => reset,
-      in_valid => s_axis_tvalid, in_ready => s_axis_tready, in_data => s_beat,
-      out_valid => beat_valid, out_ready => beat_take, out_data => beat);
+      in_valid => s_axis_tvalid, in_ready => s_axis_tready, in_flags => s_axis_tuser & s_axis_tlast,
+      in_data => s_axis_tdata,
+      out_valid => beat_valid, out_ready => beat_take, out_flags => beat_flags, out_data => beat_pixels);
 
   framing : entity work.stereo_framing
     generic map (
@@ -114,8 +116,8 @@ begin
       flush_groups => flush_groups, gap_groups => gap_groups, data_bits => 2 * pixel_bits)
     port map (
       clock => aclk, reset => reset, enable => enable, halt => soft_reset, at_rest => at_rest,
-      in_valid => beat_valid, in_start => beat(beat_bits - 1), in_last => beat(beat_bits - 2),
-      in_data => beat(beat_bits - 3 downto 0), in_take => beat_take,
+      in_valid => beat_valid, in_start => beat_flags(1), in_last => beat_flags(0),
+      in_data => beat_pixels, in_take => beat_take,
       may_send => may_send, may_start => may_start, sends => sends, starts => starts, breaks => breaks,
       error => stream_errors,
       out_valid => group_valid, out_start => group_start, out_data => group_pixels);
@@ -142,13 +144,10 @@ begin
       clock => aclk, reset => clear, starts => starts, start_slot => not entering, ends => ends, end_slot => leaving,
       clocks => frame_clocks);
 
-  result_word <=
-    frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
-
   queue : entity work.stream_fifo
     generic map (depth => credits, width => word_bits)
     port map (
-      clock => aclk, reset => reset, in_valid => result, in_data => result_word,
+      clock => aclk, reset => reset, in_valid => queues, in_data => queued,
       out_valid => word_valid, out_ready => m_axis_tready, out_data => word);
 
   credit : entity work.stream_credit
@@ -171,6 +170,10 @@ begin
   process (aclk)
   begin
     if rising_edge(aclk) then
+      halted <= soft_reset;
+      queues <= result and not reset;
+      queued <=
+        frame_error & core_disparity_start_of_frame & core_disparity_end_of_line & core_pixel_valid & core_disparity;
       core_in_reset <= clear;
       frame_ends <= ends and not clear;
       frame_ends_broken <= ends and frame_error and not clear;

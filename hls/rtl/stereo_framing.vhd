@@ -5,9 +5,9 @@
 --   out_*        to the core, from registers
 --   may_send     a group may be sent in this clock; sends: one is (it stands at out_* in the next clock)
 --   may_start    a frame may begin, as far as the frames before it are concerned
---   enable       '0': no frame begins; one that has begun goes on
---   halt         ends the frame in progress as a broken one, and none begins; at_rest: there is none, and the last one has
---                all its flush groups
+--   enable       '0': no frame begins from the next clock on; one that has begun goes on
+--   halt         ends the frame in progress as a broken one, and none begins from the next clock on; at_rest: there is none,
+--                and the last one has all its flush groups
 --   starts       a frame begins in this clock
 --   breaks       the frame in progress (or the one that begins) turns out not to be whole
 --   error        pulses: bit 0 early end of line, 1 late end of line, 2 start of frame within a frame,
@@ -68,14 +68,14 @@ architecture rtl of stereo_framing is
   signal line_ends : std_logic := '0';  -- column = columns - 1
   signal last_line : std_logic := '0';  -- row_group = row_groups - 1
   signal between : std_logic := '1';  -- idle, or flushing with just gap_groups flush groups sent
+  signal ready : std_logic := '0';  -- that, and enabled
   signal flushed : natural range 0 to all_flush_groups := 0;  -- flush groups sent since the frame
   signal lost : std_logic := '0';  -- since the last break no start of frame has come
 
-  signal may_begin, begins, continues, fills, brings, drops : std_logic;
+  signal begins, continues, fills, brings, drops : std_logic;
   signal frame_ends, early_end, late_end, early_start, broken : std_logic;
 begin
-  may_begin <= enable and not halt and may_start and between;
-  begins <= in_valid and in_start and may_begin and may_send;
+  begins <= in_valid and in_start and ready and may_start and may_send;
   continues <= in_valid and not in_start and not halt and may_send when phase = inside else '0';
   fills <= may_send and not begins when phase = filling or phase = flushing else '0';
   brings <= begins or continues;
@@ -96,6 +96,7 @@ begin
 
   process (clock)
     variable in_frame : std_logic;  -- the group that is sent belongs to a frame
+    variable next_between : std_logic;
   begin
     if rising_edge(clock) then
       out_valid <= brings or fills;
@@ -115,22 +116,25 @@ begin
         end if;
       end if;
 
+      next_between := between;
       if in_frame = '1' and frame_ends = '1' then
         phase <= flushing when all_flush_groups > 0 else idle;
-        between <= '1' when gap_groups = 0 else '0';
+        next_between := '1' when gap_groups = 0 else '0';
       elsif broken = '1' then
         phase <= filling;
-        between <= '0';
+        next_between := '0';
       elsif begins = '1' then
         phase <= inside;
-        between <= '0';
+        next_between := '0';
       elsif phase = flushing and fills = '1' then
-        between <= '1' when flushed = gap_groups - 1 else '0';
+        next_between := '1' when flushed = gap_groups - 1 else '0';
         if flushed = all_flush_groups - 1 then
           phase <= idle;
-          between <= '1';
+          next_between := '1';
         end if;
       end if;
+      between <= next_between;
+      ready <= next_between and enable and not halt;
 
       if phase /= flushing then
         flushed <= 0;
@@ -147,6 +151,7 @@ begin
         line_ends <= '0';
         last_line <= '1' when row_groups = 1 else '0';
         between <= '1';
+        ready <= '0';
         flushed <= 0;
         lost <= '0';
         out_valid <= '0';

@@ -64,7 +64,8 @@ architecture rtl of stereo_registers is
   signal write_address : natural range 0 to 2 ** (address_bits - 2) - 1;  -- in words
   signal write_data : word;
   signal write_bytes : std_logic_vector(3 downto 0);
-  signal writes : std_logic;  -- the write happens in this clock
+  signal writes : std_logic;  -- a write is complete: it happens in the next clock, that of the answer
+  signal applies : std_logic := '0';  -- it happens in this clock
   signal enabled, resetting : std_logic := '0';
   signal sticky : std_logic_vector(4 downto 0) := (others => '0');
   signal whole_frames, broken_frames : unsigned(31 downto 0) := (others => '0');
@@ -142,6 +143,7 @@ begin
         write_data <= s_axil_wdata;
         write_bytes <= s_axil_wstrb;
       end if;
+      applies <= writes;
       if writes = '1' then
         bvalid <= '1';
         have_address <= '0';
@@ -161,6 +163,7 @@ begin
         have_address <= '0';
         have_data <= '0';
         bvalid <= '0';
+        applies <= '0';
       end if;
     end if;
   end process;
@@ -170,10 +173,10 @@ begin
   begin
     if rising_edge(aclk) then
       cleared := (others => '0');
-      if writes = '1' and write_address = control_word and write_bytes(0) = '1' then
+      if applies = '1' and write_address = control_word and write_bytes(0) = '1' then
         enabled <= write_data(control_enable);
         resetting <= resetting or write_data(control_soft_reset);
-      elsif writes = '1' and write_address = status_word and write_bytes(1) = '1' then
+      elsif applies = '1' and write_address = status_word and write_bytes(1) = '1' then
         cleared := write_data(status_core_fault downto status_early_line_end);
       end if;
       -- An error of the very clock in which its bit is cleared stays.

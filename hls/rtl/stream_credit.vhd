@@ -5,13 +5,13 @@
 --   sends      a group is decided on; allowed while may_send is '1'. It enters the core one clock later.
 --   result     the core shows a disparity: `latency` clocks after its group entered
 --   taken      a disparity leaves the queue
---   may_send   from a register
+--   may_send, in_flight  from registers
 --   in_flight  groups are in the core that may still give a disparity
 --   all_back   no credit is out: nothing in the core that may give a disparity, nothing in the queue
 --   stray      a disparity came in a clock where none can: `latency` is not that of the core
--- A credit is away latency + 4 clocks when nothing waits (one to enter the core, `latency` in it, two in the queue, one
--- to count), so as many credits give a group a clock.
--- Size: latency + 2 register bits and a counter of 0 ... words.
+-- In stereo_axis a credit is away latency + 5 clocks when nothing waits (one to enter the core, `latency` in it, one in a
+-- register, two in the queue, one to count), so as many credits give a group a clock.
+-- Size: latency + 3 register bits and a counter of 0 ... words.
 library ieee;
 use ieee.std_logic_1164.all;
 
@@ -27,7 +27,7 @@ entity stream_credit is
     result : in std_logic;
     taken : in std_logic;
     may_send : out std_logic;
-    in_flight : out std_logic;
+    in_flight : out std_logic := '0';
     all_back : out std_logic;
     stray : out std_logic
   );
@@ -38,7 +38,6 @@ architecture rtl of stream_credit is
   signal lent : natural range 0 to words := 0;
   signal unused : std_logic;
 begin
-  in_flight <= or flight;
   all_back <= '1' when lent = 0 else '0';
   stray <= result and not flight(latency);
   unused <= flight(latency) and not result;
@@ -61,8 +60,10 @@ begin
         may_send <= '0';
       end if;
       flight <= sends & flight(0 to latency - 1);
+      in_flight <= sends or (or flight(0 to latency - 1));
       if reset = '1' then
         flight <= (others => '0');
+        in_flight <= '0';
         lent <= 0;
       end if;
     end if;

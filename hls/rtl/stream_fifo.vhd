@@ -30,6 +30,7 @@ architecture rtl of stream_fifo is
   signal memory : words;
   signal write_address, read_address : natural range 0 to depth - 1 := 0;
   signal stored : natural range 0 to depth := 0;  -- words in the memory
+  signal waits : std_logic := '0';  -- stored /= 0
   signal shows : std_logic := '0';  -- a word at the output
 
   function following(address : natural) return natural is
@@ -46,7 +47,7 @@ begin
     variable leaves : boolean;  -- from the memory to the output
   begin
     if rising_edge(clock) then
-      leaves := stored /= 0 and (shows = '0' or out_ready = '1');
+      leaves := waits = '1' and (shows = '0' or out_ready = '1');
       if leaves then
         out_data <= memory(read_address);
         read_address <= following(read_address);
@@ -63,10 +64,12 @@ begin
       elsif in_valid = '0' and leaves then
         stored <= stored - 1;
       end if;
+      waits <= '1' when in_valid = '1' or stored > 1 or (stored = 1 and not leaves) else '0';
       if reset = '1' then
         write_address <= 0;
         read_address <= 0;
         stored <= 0;
+        waits <= '0';
         shows <= '0';
       end if;
     end if;

@@ -11,11 +11,29 @@
 
 namespace stereo::semi_global {
 
+/// What a column's tag says of its place in the map. Without starting values of its own: see StartingValues.
+struct MapPlace {
+   bool map_column;
+   bool output_column;
+   bool first_column;
+   bool start_of_frame;
+   bool end_of_line;
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("map_column", map_column);
+      visit("output_column", output_column);
+      visit("first_column", first_column);
+      visit("start_of_frame", start_of_frame);
+      visit("end_of_line", end_of_line);
+   }
+};
+
 /// The tags of the columns beside kMoves moves of a path; behind them clocks count again, and a column is valid for
 /// one.
 template <int Moves>
 struct TagMoves {
-   PixelTag held[Moves];  ///< [j]: of j+1 moves ago
+   MapPlace held[Moves];  ///< [j]: of j+1 moves ago
    bool moved;
 
    HLS_INLINE TagMoves() { start(*this); }
@@ -33,13 +51,20 @@ struct TagMoves {
       moved = move;
    }
    HLS_INLINE PixelTag out() const {
-      PixelTag tag = held[Moves - 1];
+      const MapPlace& place = held[Moves - 1];
+      PixelTag tag;
       tag.valid = moved;
+      tag.map_column = place.map_column;
+      tag.output_column = place.output_column;
+      tag.first_column = place.first_column;
+      tag.start_of_frame = place.start_of_frame;
+      tag.end_of_line = place.end_of_line;
       return tag;
    }
 
   private:
-   static HLS_INLINE void take(PixelTag& to, const PixelTag& from, bool move) {
+   template <class Place>
+   static HLS_INLINE void take(MapPlace& to, const Place& from, bool move) {
       to.map_column = select<bool>(move, from.map_column, to.map_column);
       to.output_column = select<bool>(move, from.output_column, to.output_column);
       to.first_column = select<bool>(move, from.first_column, to.first_column);

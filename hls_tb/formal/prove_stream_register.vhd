@@ -6,13 +6,14 @@ use ieee.std_logic_1164.all;
 
 entity prove_stream_register is
   generic (
-    width : positive := 2
+    flag_bits : positive := 1;
+    data_bits : positive := 1
   );
   port (
     clock : in std_logic;
     reset : in std_logic;
     in_valid : in std_logic;
-    in_data : in std_logic_vector(width - 1 downto 0);
+    in_word : in std_logic_vector(flag_bits + data_bits - 1 downto 0);
     out_ready : in std_logic;
     bad : out std_logic
   );
@@ -20,23 +21,26 @@ end entity;
 
 architecture proof of prove_stream_register is
   constant capacity : positive := 2;
+  constant width : positive := flag_bits + data_bits;
   signal in_ready, out_valid, push, pop, was_reset, was_held : std_logic := '0';
-  signal out_data, oldest, held_data : std_logic_vector(width - 1 downto 0);
+  signal out_word, oldest, held_word : std_logic_vector(width - 1 downto 0);
   signal count : natural range 0 to capacity;
   signal begun : std_logic := '0';  -- a clock has passed since the start: before it in_ready is still '0'
 begin
   dut : entity work.stream_register
-    generic map (width => width)
+    generic map (flag_bits => flag_bits, data_bits => data_bits)
     port map (
-      clock => clock, reset => reset, in_valid => in_valid, in_ready => in_ready, in_data => in_data,
-      out_valid => out_valid, out_ready => out_ready, out_data => out_data);
+      clock => clock, reset => reset, in_valid => in_valid, in_ready => in_ready,
+      in_flags => in_word(width - 1 downto data_bits), in_data => in_word(data_bits - 1 downto 0),
+      out_valid => out_valid, out_ready => out_ready,
+      out_flags => out_word(width - 1 downto data_bits), out_data => out_word(data_bits - 1 downto 0));
 
   push <= in_valid and in_ready;
   pop <= out_valid and out_ready;
 
   model : entity work.reference_queue
     generic map (capacity => capacity, width => width)
-    port map (clock => clock, reset => reset, push => push, push_data => in_data, pop => pop, oldest => oldest, count => count);
+    port map (clock => clock, reset => reset, push => push, push_data => in_word, pop => pop, oldest => oldest, count => count);
 
   process (all)
   begin
@@ -44,7 +48,7 @@ begin
     if (out_valid = '1') /= (count > 0) then
       bad <= '1';
     end if;
-    if out_valid = '1' and out_data /= oldest then
+    if out_valid = '1' and out_word /= oldest then
       bad <= '1';
     end if;
     if push = '1' and count = capacity then
@@ -53,7 +57,7 @@ begin
     if in_ready = '0' and count < capacity and was_reset = '0' and begun = '1' then
       bad <= '1';
     end if;
-    if was_held = '1' and (out_valid = '0' or out_data /= held_data) then
+    if was_held = '1' and (out_valid = '0' or out_word /= held_word) then
       bad <= '1';
     end if;
   end process;
@@ -64,7 +68,7 @@ begin
       begun <= '1';
       was_reset <= reset;
       was_held <= out_valid and not out_ready and not reset;
-      held_data <= out_data;
+      held_word <= out_word;
     end if;
   end process;
 end architecture;

@@ -12,7 +12,7 @@ FAULTS = {
     "constant: ring one shorter": (r"when delay_ring_read_address = 7 else", "when delay_ring_read_address = 6 else"),
     "operator: sum becomes difference": (r"(slice1window_sum_0_1 <= \S+) \+ ", r"\1 - "),
     "operator: smaller becomes smaller or equal": (
-        r"(slice0winner1_best_cost_0_0_is_less := slice0window_sum_\d_\d) < ",
+        r"(slice0winner1_of_pair_0_0_is_less := \(slice0window_sum_\d_\d - slice0window_sum_\d_\d\)) < ",
         r"\1 <= ",
     ),
     "register dropped": (r"^ *slice1window_partial_0_0_2 <= .*;$", ""),

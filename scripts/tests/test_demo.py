@@ -103,7 +103,7 @@ def test_demo_ends_with_the_key_facts(tiny_demo):
     assert last[1].startswith(
         "PASS: VHDL against C++ core, tiny: 168 of 168 outputs in ghdl, 576 of 576 outputs in verilator; 0 mismatches"
     )
-    assert last[2].startswith("384 clocks a frame, latency 15 clocks, ") and "% bad pixels" in last[2]
+    assert last[2].startswith("384 clocks a frame, latency 16 clocks, ") and "% bad pixels" in last[2]
     figures = manifest.read(rtl.folder("tiny"))["tool_report"]
     assert last[3] == f"{figures['memory_bits']:,} memory bits, {figures['register_bits']:,} register bits"
 

@@ -13,7 +13,7 @@ from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.base.ghdl import to_verilog
 from flow.base.tools import find_yosys, run
-from flow.implementation import ecp5_carry, ecp5_memory
+from flow.implementation import ecp5_carry, ecp5_half, ecp5_memory
 
 # What the cores do with numbers: magnitudes, sums with a carry, comparisons, among them of numbers of which one of two
 # is 0; all without registers, so that a proof needs no time.
@@ -149,19 +149,19 @@ def test_the_proof_notices_a_wrong_bit(netlist: dict[str, Any], tmp_path: Path, 
 
 
 def test_an_inner_table_takes_the_place_of_its_net() -> None:
-    both = ecp5_carry.Table((1, 2), 0b1000)
-    either = ecp5_carry.Table((3, 4), 0b1110)
-    inserted = ecp5_carry.with_input(both, 2, either)
-    for values in ecp5_carry.assignments((1, 3, 4)):
+    both = ecp5_half.Table((1, 2), 0b1000)
+    either = ecp5_half.Table((3, 4), 0b1110)
+    inserted = ecp5_half.with_input(both, 2, either)
+    for values in ecp5_half.assignments((1, 3, 4)):
         assert inserted.at(values) == (values[1] & (values[3] | values[4]))
 
 
 def test_a_half_that_needs_more_than_its_tables_does_not_fit() -> None:
-    sum_of_four = ecp5_carry.tabulate((1, 2, 3, 4), lambda v: (v[1] + v[2] + v[3] + v[4]) & 1)
-    fits = ecp5_carry.Half(sum_of_four, ecp5_carry.tabulate((1, 2), lambda v: v[1] ^ v[2]), 9)
+    sum_of_four = ecp5_half.tabulate((1, 2, 3, 4), lambda v: (v[1] + v[2] + v[3] + v[4]) & 1)
+    fits = ecp5_half.Half(sum_of_four, ecp5_half.tabulate((1, 2), lambda v: v[1] ^ v[2]), 9)
     assert fits.fit() is not None
-    majority = ecp5_carry.tabulate((1, 2, 3), lambda v: int(v[1] + v[2] + v[3] > 1))
-    assert ecp5_carry.Half(ecp5_carry.constant(0), majority, None).fit() is None
+    majority = ecp5_half.tabulate((1, 2, 3), lambda v: int(v[1] + v[2] + v[3] > 1))
+    assert ecp5_half.Half(ecp5_half.constant(0), majority, None).fit() is None
 
 
 def memory(register: dict[str, Any], width: int = 18) -> dict[str, Any]:

@@ -20,24 +20,26 @@ def test_proof(ghdl, yosys, abc, tmp_path, proof):
 FAULTS = {
     "a column keeps another one's bits": (
         "line_memory",
-        "to_integer(write_data(high downto low))",
-        "to_integer(write_data(bits - 1 downto 0))",
+        "std_logic_vector(write_data(high downto low))",
+        "std_logic_vector(write_data(bits - 1 downto 0))",
     ),
     "a write comes first": (
         "line_memory",
         "word <= memory(read_address);",
-        "word <= to_integer(write_data(high downto low)) when read_address = write_address else memory(read_address);",
+        "word <= to_bitvector(std_logic_vector(write_data(high downto low))) when read_address = write_address "
+        "else memory(read_address);",
     ),
     "a word is lost": (
         "stream_register",
-        "if accepts = '1' then\n        spare_data",
-        "if false then\n        spare_data",
+        "if accepts = '1' then\n        spare_flags",
+        "if false then\n        spare_flags",
     ),
-    "the order is changed": ("stream_register", "spare_data when spare_valid = '1' else in_data;", "in_data;"),
+    "the order is changed": ("stream_register", "spare_flags when spare_valid = '1' else in_flags;", "in_flags;"),
+    "data of another word": ("stream_register", "reads_odd xor (main_valid and out_ready)", "reads_odd xor out_ready"),
     "a reset leaves a word": ("stream_register", "spare_valid <= '0';", "null;"),
     "a word comes twice": ("stream_fifo", "read_address <= following(read_address);", "null;"),
     "a word is written over": ("stream_fifo", "return address + 1;", "return address;"),
-    "a word stays in the memory": ("stream_fifo", "stored /= 0 and", "stored > 1 and"),
+    "a word stays in the memory": ("stream_fifo", "or (stored = 1 and not leaves)", "or false"),
     "a beat changes while it waits": ("stream_fifo", "(shows = '0' or out_ready = '1')", "true"),
     "one credit too many": ("stream_credit", "lent = words - 1", "lent = words"),
     "a full queue is forgotten": ("stream_credit", "(change = 0 and lent = words)", "false"),

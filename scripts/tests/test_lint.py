@@ -33,7 +33,7 @@ FAULTS = {
         "process (all) begin if result_start = '1' then current <= oldest xor result_valid; end if; end process;",
         "latch",
     ),
-    "capital letter": ("stream_fifo", "leaves := stored", "LEAVES := stored", "capital"),
+    "capital letter": ("stream_fifo", "leaves := waits", "LEAVES := waits", "capital"),
     "long line": ("stream_fifo", "-- A queue", "-- " + 130 * "x", "longer"),
     "no licence": ("stream_fifo", "-- SPDX-License-Identifier: Apache-2.0\n", "", "SPDX"),
     "a name that Verilog reserves": ("stereo_frames", "frame_leaves", "final", "%Error"),

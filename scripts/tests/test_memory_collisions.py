@@ -16,7 +16,7 @@ from flow.synthesis import manifest
 from flow_commands import scene
 
 READ = "          word <= memory(read_address);\n"
-OTHER = "          word <= 2 ** bits - 1 - memory(read_address) when {} else memory(read_address);\n"
+OTHER = "          word <= not memory(read_address) when {} else memory(read_address);\n"
 SAME_CLOCK = "read_address = write_address"
 BLOCK_MATCHING = sorted(
     name

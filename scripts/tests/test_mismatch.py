@@ -227,7 +227,7 @@ def test_page_of_a_demo_shows_the_failure(tiny, tmp_path):
     folder = fill(tmp_path / "demo", "tiny")
     shutil.rmtree(folder / "cosim-ghdl")
     shutil.copytree(tiny[1], folder / "cosim-ghdl")
-    assert call("report.py", "--demo", folder).returncode == 0
+    assert call("report.py", "--demo", folder).returncode == 1
     text = (folder / "report.html").read_text()
     assert "Where ghdl differs" in text and 'class="mark"' in text and "slice2_best_index_0_0" in text
 

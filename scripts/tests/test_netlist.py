@@ -28,7 +28,25 @@ def random_expression(rng, depth):
     x, fx = random_expression(rng, depth - 1)
     y, fy = random_expression(rng, depth - 1)
     kind = rng.choice(
-        ("add", "sub", "wrap", "shl", "shr", "mux", "lt", "eq", "not", "abs", "and", "or", "xor", "bits", "held", "mul")
+        (
+            "add",
+            "sub",
+            "wrap",
+            "shl",
+            "shr",
+            "mux",
+            "lt",
+            "eq",
+            "not",
+            "abs",
+            "and",
+            "or",
+            "xor",
+            "bits",
+            "held",
+            "differs",
+            "mul",
+        )
     )
     if kind == "add":
         return n.add(x, y), lambda i: fx(i) + fy(i)
@@ -65,6 +83,10 @@ def random_expression(rng, depth):
             n.mux(bit, n.bit_or(a, take), n.bit_and(a, n.bit_not(take))),
             lambda i: (fa(i) | ftake(i)) if fbit(i) else (fa(i) & (1 - ftake(i))),
         )
+    if kind == "differs":
+        (bit, fbit), (a, fa) = random_bit(rng, depth - 1), random_bit(rng, depth - 1)
+        yes, no = (a, n.bit_not(a)) if rng.random() < 0.5 else (n.bit_not(a), a)
+        return n.mux(bit, yes, no), lambda i: fa(i) ^ (not fbit(i)) if yes is a else fa(i) ^ fbit(i)
     return random_bit(rng, depth)
 
 
@@ -119,6 +141,7 @@ def test_known_simplifications():
     assert n.wrap(difference, 16, signed=True) is difference
     assert n.mux(n.bit_not(n.leaf("input", "s", 1)), a, b) is n.mux(n.leaf("input", "s", 1), b, a)
     bits = [n.wrap(n.shift_right(a, k), 1) for k in range(8)]
+    assert n.mux(bits[0], n.bit_not(bits[1]), bits[1]) is n.bit_xor(bits[0], bits[1])
     assert n.bit_and(*[bit if 0x5A >> k & 1 else n.bit_not(bit) for k, bit in enumerate(bits)]) is n.equal(
         a, n.const(0x5A)
     )

@@ -64,7 +64,7 @@ begin
       latency_clocks => 2,
       flush_groups => 0,
       gap_groups => 0,
-      core_id => x"0279a058",
+      core_id => x"f99a8cbb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 3,
       flush_groups => 5,
       gap_groups => 0,
-      core_id => x"727a755d",
+      core_id => x"e7744bf5",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

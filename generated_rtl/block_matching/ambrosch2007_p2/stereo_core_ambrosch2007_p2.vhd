@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: Apache-2.0
 -- Stereo core, block matching, configuration ambrosch2007_p2: 320x240, 100 disparities, window 3x3, 2 pixel pairs a clock.
--- Options: disparities 100.
+-- Options: disparities 100, sign_memory true.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config ambrosch2007_p2
 -- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
@@ -17,7 +17,7 @@ entity stereo_core_ambrosch2007_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 220;
-    latency_clocks : positive := 19;
+    latency_clocks : positive := 21;
     flush_groups : positive := 320;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_ambrosch2007_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_ambrosch2007_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 220 report "stereo_core_ambrosch2007_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 220" severity failure;
-  assert latency_clocks = 19 report "stereo_core_ambrosch2007_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert latency_clocks = 21 report "stereo_core_ambrosch2007_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
   assert flush_groups = 320 report "stereo_core_ambrosch2007_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 320" severity failure;
   assert gap_groups = 0 report "stereo_core_ambrosch2007_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_ambrosch2007_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   -- raster
   signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
   signal raster_features_reference : natural range 0 to 65535;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 511;
   signal raster_place_group : natural range 0 to 127;
   -- delay
@@ -103,8 +101,9 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal delay_ahead_0, delay_ahead_1 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(15 downto 0);
   signal delay_column : natural range 0 to 511;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_border_column : boolean;
   signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_tag_newest_inside : natural range 0 to 3;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
@@ -116,12 +115,13 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
-  signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_3, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_3 : boolean;
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column : boolean;
-  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_border_column : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid, rows_ready_tag_border_column : boolean;
+  signal rows_ready_tag_output_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_tag_valid, rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame : boolean;
+  signal rows_tag_end_of_line : boolean;
+  signal rows_read_tag_newest_inside, rows_ready_tag_newest_inside, rows_tag_newest_inside : natural range 0 to 3;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
   signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 255;
@@ -161,87 +161,10 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 255;
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_tag_newest_inside : natural range 0 to 3;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
-  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : integer range -255 to 255;
-  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : integer range -255 to 255;
-  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : integer range -255 to 255;
-  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : integer range -255 to 255;
-  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : integer range -255 to 255;
-  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : integer range -255 to 255;
-  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : integer range -255 to 255;
-  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : integer range -255 to 255;
-  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : integer range -255 to 255;
-  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : integer range -255 to 255;
-  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : integer range -255 to 255;
-  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : integer range -255 to 255;
-  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : integer range -255 to 255;
-  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : integer range -255 to 255;
-  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_difference_2_0 : integer range -255 to 255;
-  signal slice0cost_difference_2_1, slice0cost_difference_2_2, slice0cost_difference_2_3 : integer range -255 to 255;
-  signal slice0cost_difference_2_4, slice0cost_difference_2_5, slice0cost_difference_2_6 : integer range -255 to 255;
-  signal slice0cost_difference_2_7, slice0cost_difference_2_8, slice0cost_difference_2_9 : integer range -255 to 255;
-  signal slice0cost_difference_2_10, slice0cost_difference_2_11, slice0cost_difference_2_12 : integer range -255 to 255;
-  signal slice0cost_difference_2_13, slice0cost_difference_2_14, slice0cost_difference_2_15 : integer range -255 to 255;
-  signal slice0cost_difference_2_16, slice0cost_difference_2_17, slice0cost_difference_2_18 : integer range -255 to 255;
-  signal slice0cost_difference_2_19, slice0cost_difference_2_20, slice0cost_difference_2_21 : integer range -255 to 255;
-  signal slice0cost_difference_2_22, slice0cost_difference_2_23, slice0cost_difference_2_24 : integer range -255 to 255;
-  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_difference_3_3, slice0cost_difference_3_4, slice0cost_difference_3_5 : integer range -255 to 255;
-  signal slice0cost_difference_3_6, slice0cost_difference_3_7, slice0cost_difference_3_8 : integer range -255 to 255;
-  signal slice0cost_difference_3_9, slice0cost_difference_3_10, slice0cost_difference_3_11 : integer range -255 to 255;
-  signal slice0cost_difference_3_12, slice0cost_difference_3_13, slice0cost_difference_3_14 : integer range -255 to 255;
-  signal slice0cost_difference_3_15, slice0cost_difference_3_16, slice0cost_difference_3_17 : integer range -255 to 255;
-  signal slice0cost_difference_3_18, slice0cost_difference_3_19, slice0cost_difference_3_20 : integer range -255 to 255;
-  signal slice0cost_difference_3_21, slice0cost_difference_3_22, slice0cost_difference_3_23 : integer range -255 to 255;
-  signal slice0cost_difference_3_24 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_0_8 : natural range 0 to 255;
-  signal slice0cost_reverse_0_9, slice0cost_reverse_0_10, slice0cost_reverse_0_11 : natural range 0 to 255;
-  signal slice0cost_reverse_0_12, slice0cost_reverse_0_13, slice0cost_reverse_0_14 : natural range 0 to 255;
-  signal slice0cost_reverse_0_15, slice0cost_reverse_0_16, slice0cost_reverse_0_17 : natural range 0 to 255;
-  signal slice0cost_reverse_0_18, slice0cost_reverse_0_19, slice0cost_reverse_0_20 : natural range 0 to 255;
-  signal slice0cost_reverse_0_21, slice0cost_reverse_0_22, slice0cost_reverse_0_23 : natural range 0 to 255;
-  signal slice0cost_reverse_0_24, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
-  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
-  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
-  signal slice0cost_single_0_8, slice0cost_single_0_9, slice0cost_single_0_10 : natural range 0 to 255;
-  signal slice0cost_single_0_11, slice0cost_single_0_12, slice0cost_single_0_13 : natural range 0 to 255;
-  signal slice0cost_single_0_14, slice0cost_single_0_15, slice0cost_single_0_16 : natural range 0 to 255;
-  signal slice0cost_single_0_17, slice0cost_single_0_18, slice0cost_single_0_19 : natural range 0 to 255;
-  signal slice0cost_single_0_20, slice0cost_single_0_21, slice0cost_single_0_22 : natural range 0 to 255;
-  signal slice0cost_single_0_23, slice0cost_single_0_24, slice0cost_single_3_0 : natural range 0 to 255;
-  signal slice0cost_single_3_1, slice0cost_single_3_2, slice0cost_single_3_3 : natural range 0 to 255;
-  signal slice0cost_single_3_4, slice0cost_single_3_5, slice0cost_single_3_6 : natural range 0 to 255;
-  signal slice0cost_single_3_7, slice0cost_single_3_8, slice0cost_single_3_9 : natural range 0 to 255;
-  signal slice0cost_single_3_10, slice0cost_single_3_11, slice0cost_single_3_12 : natural range 0 to 255;
-  signal slice0cost_single_3_13, slice0cost_single_3_14, slice0cost_single_3_15 : natural range 0 to 255;
-  signal slice0cost_single_3_16, slice0cost_single_3_17, slice0cost_single_3_18 : natural range 0 to 255;
-  signal slice0cost_single_3_19, slice0cost_single_3_20, slice0cost_single_3_21 : natural range 0 to 255;
-  signal slice0cost_single_3_22, slice0cost_single_3_23, slice0cost_single_3_24 : natural range 0 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8, slice0cost_negative_0_9 : boolean;
-  signal slice0cost_negative_0_10, slice0cost_negative_0_11, slice0cost_negative_0_12 : boolean;
-  signal slice0cost_negative_0_13, slice0cost_negative_0_14, slice0cost_negative_0_15 : boolean;
-  signal slice0cost_negative_0_16, slice0cost_negative_0_17, slice0cost_negative_0_18 : boolean;
-  signal slice0cost_negative_0_19, slice0cost_negative_0_20, slice0cost_negative_0_21 : boolean;
-  signal slice0cost_negative_0_22, slice0cost_negative_0_23, slice0cost_negative_0_24 : boolean;
-  signal slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2, slice0cost_negative_3_3 : boolean;
-  signal slice0cost_negative_3_4, slice0cost_negative_3_5, slice0cost_negative_3_6, slice0cost_negative_3_7 : boolean;
-  signal slice0cost_negative_3_8, slice0cost_negative_3_9, slice0cost_negative_3_10, slice0cost_negative_3_11 : boolean;
-  signal slice0cost_negative_3_12, slice0cost_negative_3_13, slice0cost_negative_3_14 : boolean;
-  signal slice0cost_negative_3_15, slice0cost_negative_3_16, slice0cost_negative_3_17 : boolean;
-  signal slice0cost_negative_3_18, slice0cost_negative_3_19, slice0cost_negative_3_20 : boolean;
-  signal slice0cost_negative_3_21, slice0cost_negative_3_22, slice0cost_negative_3_23 : boolean;
-  signal slice0cost_negative_3_24, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_signs_column, slice0cost_signs_next_column : natural range 0 to 511;
+  signal slice0cost_signs_difference_column, slice0cost_signs_write_column : natural range 0 to 511;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
   signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
@@ -250,152 +173,278 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
   signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
   signal slice0cost_pair_0_24 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
-  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 767;
-  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 767;
-  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 767;
-  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 767;
-  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 767;
-  signal slice0cost_column_0_24, slice0cost_column_1_0, slice0cost_column_1_1 : natural range 0 to 767;
-  signal slice0cost_column_1_2, slice0cost_column_1_3, slice0cost_column_1_4 : natural range 0 to 767;
-  signal slice0cost_column_1_5, slice0cost_column_1_6, slice0cost_column_1_7 : natural range 0 to 767;
-  signal slice0cost_column_1_8, slice0cost_column_1_9, slice0cost_column_1_10 : natural range 0 to 767;
-  signal slice0cost_column_1_11, slice0cost_column_1_12, slice0cost_column_1_13 : natural range 0 to 767;
-  signal slice0cost_column_1_14, slice0cost_column_1_15, slice0cost_column_1_16 : natural range 0 to 767;
-  signal slice0cost_column_1_17, slice0cost_column_1_18, slice0cost_column_1_19 : natural range 0 to 767;
-  signal slice0cost_column_1_20, slice0cost_column_1_21, slice0cost_column_1_22 : natural range 0 to 767;
-  signal slice0cost_column_1_23, slice0cost_column_1_24 : natural range 0 to 767;
+  signal slice0cost_signs_read_words_0, slice0cost_signs_read_words_1 : unsigned(24 downto 0);
+  signal slice0cost_signs_ready_words_0, slice0cost_signs_ready_words_1 : natural range 0 to 33554431;
+  signal slice0cost_signs_write_words_0, slice0cost_signs_write_words_1 : natural range 0 to 33554431;
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : natural range 0 to 255;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : natural range 0 to 255;
+  signal slice0cost_difference_0_6, slice0cost_difference_0_7, slice0cost_difference_0_8 : natural range 0 to 255;
+  signal slice0cost_difference_0_9, slice0cost_difference_0_10, slice0cost_difference_0_11 : natural range 0 to 255;
+  signal slice0cost_difference_0_12, slice0cost_difference_0_13, slice0cost_difference_0_14 : natural range 0 to 255;
+  signal slice0cost_difference_0_15, slice0cost_difference_0_16, slice0cost_difference_0_17 : natural range 0 to 255;
+  signal slice0cost_difference_0_18, slice0cost_difference_0_19, slice0cost_difference_0_20 : natural range 0 to 255;
+  signal slice0cost_difference_0_21, slice0cost_difference_0_22, slice0cost_difference_0_23 : natural range 0 to 255;
+  signal slice0cost_difference_0_24, slice0cost_difference_1_0, slice0cost_difference_1_1 : natural range 0 to 255;
+  signal slice0cost_difference_1_2, slice0cost_difference_1_3, slice0cost_difference_1_4 : natural range 0 to 255;
+  signal slice0cost_difference_1_5, slice0cost_difference_1_6, slice0cost_difference_1_7 : natural range 0 to 255;
+  signal slice0cost_difference_1_8, slice0cost_difference_1_9, slice0cost_difference_1_10 : natural range 0 to 255;
+  signal slice0cost_difference_1_11, slice0cost_difference_1_12, slice0cost_difference_1_13 : natural range 0 to 255;
+  signal slice0cost_difference_1_14, slice0cost_difference_1_15, slice0cost_difference_1_16 : natural range 0 to 255;
+  signal slice0cost_difference_1_17, slice0cost_difference_1_18, slice0cost_difference_1_19 : natural range 0 to 255;
+  signal slice0cost_difference_1_20, slice0cost_difference_1_21, slice0cost_difference_1_22 : natural range 0 to 255;
+  signal slice0cost_difference_1_23, slice0cost_difference_1_24, slice0cost_single_0_0 : natural range 0 to 255;
+  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
+  signal slice0cost_single_0_4, slice0cost_single_0_5, slice0cost_single_0_6 : natural range 0 to 255;
+  signal slice0cost_single_0_7, slice0cost_single_0_8, slice0cost_single_0_9 : natural range 0 to 255;
+  signal slice0cost_single_0_10, slice0cost_single_0_11, slice0cost_single_0_12 : natural range 0 to 255;
+  signal slice0cost_single_0_13, slice0cost_single_0_14, slice0cost_single_0_15 : natural range 0 to 255;
+  signal slice0cost_single_0_16, slice0cost_single_0_17, slice0cost_single_0_18 : natural range 0 to 255;
+  signal slice0cost_single_0_19, slice0cost_single_0_20, slice0cost_single_0_21 : natural range 0 to 255;
+  signal slice0cost_single_0_22, slice0cost_single_0_23, slice0cost_single_0_24 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
+  signal slice0cost_single_3_3, slice0cost_single_3_4, slice0cost_single_3_5 : natural range 0 to 255;
+  signal slice0cost_single_3_6, slice0cost_single_3_7, slice0cost_single_3_8 : natural range 0 to 255;
+  signal slice0cost_single_3_9, slice0cost_single_3_10, slice0cost_single_3_11 : natural range 0 to 255;
+  signal slice0cost_single_3_12, slice0cost_single_3_13, slice0cost_single_3_14 : natural range 0 to 255;
+  signal slice0cost_single_3_15, slice0cost_single_3_16, slice0cost_single_3_17 : natural range 0 to 255;
+  signal slice0cost_single_3_18, slice0cost_single_3_19, slice0cost_single_3_20 : natural range 0 to 255;
+  signal slice0cost_single_3_21, slice0cost_single_3_22, slice0cost_single_3_23 : natural range 0 to 255;
+  signal slice0cost_single_3_24 : natural range 0 to 255;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference_2_3, slice0cost_difference_2_4, slice0cost_difference_2_5 : integer range -255 to 255;
+  signal slice0cost_difference_2_6, slice0cost_difference_2_7, slice0cost_difference_2_8 : integer range -255 to 255;
+  signal slice0cost_difference_2_9, slice0cost_difference_2_10, slice0cost_difference_2_11 : integer range -255 to 255;
+  signal slice0cost_difference_2_12, slice0cost_difference_2_13, slice0cost_difference_2_14 : integer range -255 to 255;
+  signal slice0cost_difference_2_15, slice0cost_difference_2_16, slice0cost_difference_2_17 : integer range -255 to 255;
+  signal slice0cost_difference_2_18, slice0cost_difference_2_19, slice0cost_difference_2_20 : integer range -255 to 255;
+  signal slice0cost_difference_2_21, slice0cost_difference_2_22, slice0cost_difference_2_23 : integer range -255 to 255;
+  signal slice0cost_difference_2_24, slice0cost_difference_3_0, slice0cost_difference_3_1 : integer range -255 to 255;
+  signal slice0cost_difference_3_2, slice0cost_difference_3_3, slice0cost_difference_3_4 : integer range -255 to 255;
+  signal slice0cost_difference_3_5, slice0cost_difference_3_6, slice0cost_difference_3_7 : integer range -255 to 255;
+  signal slice0cost_difference_3_8, slice0cost_difference_3_9, slice0cost_difference_3_10 : integer range -255 to 255;
+  signal slice0cost_difference_3_11, slice0cost_difference_3_12, slice0cost_difference_3_13 : integer range -255 to 255;
+  signal slice0cost_difference_3_14, slice0cost_difference_3_15, slice0cost_difference_3_16 : integer range -255 to 255;
+  signal slice0cost_difference_3_17, slice0cost_difference_3_18, slice0cost_difference_3_19 : integer range -255 to 255;
+  signal slice0cost_difference_3_20, slice0cost_difference_3_21, slice0cost_difference_3_22 : integer range -255 to 255;
+  signal slice0cost_difference_3_23, slice0cost_difference_3_24 : integer range -255 to 255;
+  signal slice0cost_newest_negative_0_0, slice0cost_newest_negative_0_1, slice0cost_newest_negative_0_2 : boolean;
+  signal slice0cost_newest_negative_0_3, slice0cost_newest_negative_0_4, slice0cost_newest_negative_0_5 : boolean;
+  signal slice0cost_newest_negative_0_6, slice0cost_newest_negative_0_7, slice0cost_newest_negative_0_8 : boolean;
+  signal slice0cost_newest_negative_0_9, slice0cost_newest_negative_0_10, slice0cost_newest_negative_0_11 : boolean;
+  signal slice0cost_newest_negative_0_12, slice0cost_newest_negative_0_13, slice0cost_newest_negative_0_14 : boolean;
+  signal slice0cost_newest_negative_0_15, slice0cost_newest_negative_0_16, slice0cost_newest_negative_0_17 : boolean;
+  signal slice0cost_newest_negative_0_18, slice0cost_newest_negative_0_19, slice0cost_newest_negative_0_20 : boolean;
+  signal slice0cost_newest_negative_0_21, slice0cost_newest_negative_0_22, slice0cost_newest_negative_0_23 : boolean;
+  signal slice0cost_newest_negative_0_24, slice0cost_newest_negative_1_0, slice0cost_newest_negative_1_1 : boolean;
+  signal slice0cost_newest_negative_1_2, slice0cost_newest_negative_1_3, slice0cost_newest_negative_1_4 : boolean;
+  signal slice0cost_newest_negative_1_5, slice0cost_newest_negative_1_6, slice0cost_newest_negative_1_7 : boolean;
+  signal slice0cost_newest_negative_1_8, slice0cost_newest_negative_1_9, slice0cost_newest_negative_1_10 : boolean;
+  signal slice0cost_newest_negative_1_11, slice0cost_newest_negative_1_12, slice0cost_newest_negative_1_13 : boolean;
+  signal slice0cost_newest_negative_1_14, slice0cost_newest_negative_1_15, slice0cost_newest_negative_1_16 : boolean;
+  signal slice0cost_newest_negative_1_17, slice0cost_newest_negative_1_18, slice0cost_newest_negative_1_19 : boolean;
+  signal slice0cost_newest_negative_1_20, slice0cost_newest_negative_1_21, slice0cost_newest_negative_1_22 : boolean;
+  signal slice0cost_newest_negative_1_23, slice0cost_newest_negative_1_24, slice0cost_difference_tag_valid : boolean;
+  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_single_negative_3_0, slice0cost_single_negative_3_1, slice0cost_single_negative_3_2 : boolean;
+  signal slice0cost_single_negative_3_3, slice0cost_single_negative_3_4, slice0cost_single_negative_3_5 : boolean;
+  signal slice0cost_single_negative_3_6, slice0cost_single_negative_3_7, slice0cost_single_negative_3_8 : boolean;
+  signal slice0cost_single_negative_3_9, slice0cost_single_negative_3_10, slice0cost_single_negative_3_11 : boolean;
+  signal slice0cost_single_negative_3_12, slice0cost_single_negative_3_13, slice0cost_single_negative_3_14 : boolean;
+  signal slice0cost_single_negative_3_15, slice0cost_single_negative_3_16, slice0cost_single_negative_3_17 : boolean;
+  signal slice0cost_single_negative_3_18, slice0cost_single_negative_3_19, slice0cost_single_negative_3_20 : boolean;
+  signal slice0cost_single_negative_3_21, slice0cost_single_negative_3_22, slice0cost_single_negative_3_23 : boolean;
+  signal slice0cost_single_negative_3_24, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_difference_tag_newest_inside, slice0cost_pair_tag_newest_inside : natural range 0 to 3;
+  signal slice0cost_tag_newest_inside : natural range 0 to 3;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 766;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 766;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 766;
+  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 766;
+  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 766;
+  signal slice0cost_column_0_15, slice0cost_column_0_16, slice0cost_column_0_17 : natural range 0 to 766;
+  signal slice0cost_column_0_18, slice0cost_column_0_19, slice0cost_column_0_20 : natural range 0 to 766;
+  signal slice0cost_column_0_21, slice0cost_column_0_22, slice0cost_column_0_23 : natural range 0 to 766;
+  signal slice0cost_column_0_24 : natural range 0 to 766;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
+  signal slice0cost_column_1_3, slice0cost_column_1_4, slice0cost_column_1_5 : natural range 0 to 767;
+  signal slice0cost_column_1_6, slice0cost_column_1_7, slice0cost_column_1_8 : natural range 0 to 767;
+  signal slice0cost_column_1_9, slice0cost_column_1_10, slice0cost_column_1_11 : natural range 0 to 767;
+  signal slice0cost_column_1_12, slice0cost_column_1_13, slice0cost_column_1_14 : natural range 0 to 767;
+  signal slice0cost_column_1_15, slice0cost_column_1_16, slice0cost_column_1_17 : natural range 0 to 767;
+  signal slice0cost_column_1_18, slice0cost_column_1_19, slice0cost_column_1_20 : natural range 0 to 767;
+  signal slice0cost_column_1_21, slice0cost_column_1_22, slice0cost_column_1_23 : natural range 0 to 767;
+  signal slice0cost_column_1_24 : natural range 0 to 767;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 767;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 767;
-  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 767;
-  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 767;
-  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 767;
-  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 767;
-  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 767;
-  signal slice0window_partial_0_0_24, slice0window_partial_1_0_0, slice0window_partial_1_0_1 : natural range 0 to 767;
-  signal slice0window_partial_1_0_2, slice0window_partial_1_0_3, slice0window_partial_1_0_4 : natural range 0 to 767;
-  signal slice0window_partial_1_0_5, slice0window_partial_1_0_6, slice0window_partial_1_0_7 : natural range 0 to 767;
-  signal slice0window_partial_1_0_8, slice0window_partial_1_0_9, slice0window_partial_1_0_10 : natural range 0 to 767;
-  signal slice0window_partial_1_0_11, slice0window_partial_1_0_12, slice0window_partial_1_0_13 : natural range 0 to 767;
-  signal slice0window_partial_1_0_14, slice0window_partial_1_0_15, slice0window_partial_1_0_16 : natural range 0 to 767;
-  signal slice0window_partial_1_0_17, slice0window_partial_1_0_18, slice0window_partial_1_0_19 : natural range 0 to 767;
-  signal slice0window_partial_1_0_20, slice0window_partial_1_0_21, slice0window_partial_1_0_22 : natural range 0 to 767;
-  signal slice0window_partial_1_0_23, slice0window_partial_1_0_24 : natural range 0 to 767;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1534;
-  signal slice0window_partial_0_1_24, slice0window_partial_1_1_0, slice0window_partial_1_1_1 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_2, slice0window_partial_1_1_3, slice0window_partial_1_1_4 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_5, slice0window_partial_1_1_6, slice0window_partial_1_1_7 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_8, slice0window_partial_1_1_9, slice0window_partial_1_1_10 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_11, slice0window_partial_1_1_12 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_13, slice0window_partial_1_1_14 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_15, slice0window_partial_1_1_16 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_17, slice0window_partial_1_1_18 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_19, slice0window_partial_1_1_20 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_21, slice0window_partial_1_1_22 : natural range 0 to 1534;
-  signal slice0window_partial_1_1_23, slice0window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 766;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 766;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 766;
+  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 766;
+  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13, slice0window_partial_0_0_14 : natural range 0 to 766;
+  signal slice0window_partial_0_0_15, slice0window_partial_0_0_16, slice0window_partial_0_0_17 : natural range 0 to 766;
+  signal slice0window_partial_0_0_18, slice0window_partial_0_0_19, slice0window_partial_0_0_20 : natural range 0 to 766;
+  signal slice0window_partial_0_0_21, slice0window_partial_0_0_22, slice0window_partial_0_0_23 : natural range 0 to 766;
+  signal slice0window_partial_0_0_24 : natural range 0 to 766;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_16, slice0window_partial_0_1_17 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_18, slice0window_partial_0_1_19 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_20, slice0window_partial_0_1_21 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_22, slice0window_partial_0_1_23 : natural range 0 to 1532;
+  signal slice0window_partial_0_1_24 : natural range 0 to 1532;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 767;
+  signal slice0window_partial_1_0_3, slice0window_partial_1_0_4, slice0window_partial_1_0_5 : natural range 0 to 767;
+  signal slice0window_partial_1_0_6, slice0window_partial_1_0_7, slice0window_partial_1_0_8 : natural range 0 to 767;
+  signal slice0window_partial_1_0_9, slice0window_partial_1_0_10, slice0window_partial_1_0_11 : natural range 0 to 767;
+  signal slice0window_partial_1_0_12, slice0window_partial_1_0_13, slice0window_partial_1_0_14 : natural range 0 to 767;
+  signal slice0window_partial_1_0_15, slice0window_partial_1_0_16, slice0window_partial_1_0_17 : natural range 0 to 767;
+  signal slice0window_partial_1_0_18, slice0window_partial_1_0_19, slice0window_partial_1_0_20 : natural range 0 to 767;
+  signal slice0window_partial_1_0_21, slice0window_partial_1_0_22, slice0window_partial_1_0_23 : natural range 0 to 767;
+  signal slice0window_partial_1_0_24 : natural range 0 to 767;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_3, slice0window_partial_1_1_4, slice0window_partial_1_1_5 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_6, slice0window_partial_1_1_7, slice0window_partial_1_1_8 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_9, slice0window_partial_1_1_10, slice0window_partial_1_1_11 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_12, slice0window_partial_1_1_13 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_14, slice0window_partial_1_1_15 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_16, slice0window_partial_1_1_17 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_18, slice0window_partial_1_1_19 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_20, slice0window_partial_1_1_21 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_22, slice0window_partial_1_1_23 : natural range 0 to 1534;
+  signal slice0window_partial_1_1_24 : natural range 0 to 1534;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2301;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2301;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2301;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2301;
-  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2301;
-  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2301;
-  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2301;
-  signal slice0window_sum_0_24, slice0window_sum_1_0, slice0window_sum_1_1 : natural range 0 to 2301;
-  signal slice0window_sum_1_2, slice0window_sum_1_3, slice0window_sum_1_4 : natural range 0 to 2301;
-  signal slice0window_sum_1_5, slice0window_sum_1_6, slice0window_sum_1_7 : natural range 0 to 2301;
-  signal slice0window_sum_1_8, slice0window_sum_1_9, slice0window_sum_1_10 : natural range 0 to 2301;
-  signal slice0window_sum_1_11, slice0window_sum_1_12, slice0window_sum_1_13 : natural range 0 to 2301;
-  signal slice0window_sum_1_14, slice0window_sum_1_15, slice0window_sum_1_16 : natural range 0 to 2301;
-  signal slice0window_sum_1_17, slice0window_sum_1_18, slice0window_sum_1_19 : natural range 0 to 2301;
-  signal slice0window_sum_1_20, slice0window_sum_1_21, slice0window_sum_1_22 : natural range 0 to 2301;
-  signal slice0window_sum_1_23, slice0window_sum_1_24 : natural range 0 to 2301;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2298;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 2298;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 2298;
+  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 2298;
+  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 2298;
+  signal slice0window_sum_0_15, slice0window_sum_0_16, slice0window_sum_0_17 : natural range 0 to 2298;
+  signal slice0window_sum_0_18, slice0window_sum_0_19, slice0window_sum_0_20 : natural range 0 to 2298;
+  signal slice0window_sum_0_21, slice0window_sum_0_22, slice0window_sum_0_23 : natural range 0 to 2298;
+  signal slice0window_sum_0_24 : natural range 0 to 2298;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
+  signal slice0window_sum_1_3, slice0window_sum_1_4, slice0window_sum_1_5 : natural range 0 to 2301;
+  signal slice0window_sum_1_6, slice0window_sum_1_7, slice0window_sum_1_8 : natural range 0 to 2301;
+  signal slice0window_sum_1_9, slice0window_sum_1_10, slice0window_sum_1_11 : natural range 0 to 2301;
+  signal slice0window_sum_1_12, slice0window_sum_1_13, slice0window_sum_1_14 : natural range 0 to 2301;
+  signal slice0window_sum_1_15, slice0window_sum_1_16, slice0window_sum_1_17 : natural range 0 to 2301;
+  signal slice0window_sum_1_18, slice0window_sum_1_19, slice0window_sum_1_20 : natural range 0 to 2301;
+  signal slice0window_sum_1_21, slice0window_sum_1_22, slice0window_sum_1_23 : natural range 0 to 2301;
+  signal slice0window_sum_1_24 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_12, slice0winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_1_2 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_3, slice0winner1_best_cost_1_4 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_5, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_7, slice0winner1_best_cost_1_8 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_9, slice0winner1_best_cost_1_10 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_11, slice0winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_0_24, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_of_four_0_16 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_17, slice0winner1_of_four_0_18, slice0winner1_of_four_0_19 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_20, slice0winner1_of_four_0_21, slice0winner1_of_four_0_22 : natural range 0 to 2298;
+  signal slice0winner1_of_four_0_23, slice0winner1_of_four_0_24, slice0winner1_best_cost_0_6 : natural range 0 to 2298;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_3, slice0winner1_of_pair_1_4, slice0winner1_of_pair_1_5 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_6, slice0winner1_of_pair_1_7, slice0winner1_of_pair_1_8 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_9, slice0winner1_of_pair_1_10, slice0winner1_of_pair_1_11 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_12, slice0winner1_of_pair_1_13, slice0winner1_of_pair_1_14 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_15, slice0winner1_of_pair_1_16, slice0winner1_of_pair_1_17 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_18, slice0winner1_of_pair_1_19, slice0winner1_of_pair_1_20 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_21, slice0winner1_of_pair_1_22, slice0winner1_of_pair_1_23 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_24, slice0winner1_of_four_1_0, slice0winner1_of_four_1_1 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_2, slice0winner1_of_four_1_3, slice0winner1_of_four_1_4 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_5, slice0winner1_of_four_1_6, slice0winner1_of_four_1_7 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_8, slice0winner1_of_four_1_9, slice0winner1_of_four_1_10 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_11, slice0winner1_of_four_1_12, slice0winner1_of_four_1_13 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_14, slice0winner1_of_four_1_15, slice0winner1_of_four_1_16 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_17, slice0winner1_of_four_1_18, slice0winner1_of_four_1_19 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_20, slice0winner1_of_four_1_21, slice0winner1_of_four_1_22 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_23, slice0winner1_of_four_1_24, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_pair_index_0_4, slice0winner1_pair_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_pair_index_0_5, slice0winner1_pair_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_four_index_0_2, slice0winner1_four_index_1_2 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner1_pair_index_0_6, slice0winner1_pair_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_pair_index_0_7, slice0winner1_pair_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_four_index_0_3, slice0winner1_four_index_1_3 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner1_pair_index_0_8, slice0winner1_pair_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_pair_index_0_9, slice0winner1_pair_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_four_index_0_4, slice0winner1_four_index_1_4 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner1_pair_index_0_10, slice0winner1_pair_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_pair_index_0_11, slice0winner1_pair_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_four_index_0_5, slice0winner1_four_index_1_5 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 4095;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_6, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_1, slice0winner2_best_cost_1_2 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_3, slice0winner2_best_cost_1_4 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_5, slice0winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
-  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_1_0, slice0winner2_of_pair_1_1, slice0winner2_of_pair_1_2 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_1_3, slice0winner2_of_pair_1_4, slice0winner2_of_pair_1_5 : natural range 0 to 4095;
+  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
+  signal slice0winner2_of_four_0_3, slice0winner2_of_four_0_4, slice0winner2_of_four_0_5 : natural range 0 to 4095;
+  signal slice0winner2_of_four_1_0, slice0winner2_of_four_1_1, slice0winner2_of_four_1_2 : natural range 0 to 4095;
+  signal slice0winner2_of_four_1_3, slice0winner2_of_four_1_4, slice0winner2_of_four_1_5 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_0_6, slice0winner2_of_four_0_6 : natural range 0 to 2298;
+  signal slice0winner2_of_pair_1_6, slice0winner2_of_four_1_6 : natural range 0 to 2301;
+  signal slice0winner2_pair_index_0_0, slice0winner2_pair_index_1_0 : natural range 0 to 7;
+  signal slice0winner2_pair_index_0_1, slice0winner2_pair_index_1_1 : natural range 0 to 15;
+  signal slice0winner2_four_index_0_0, slice0winner2_four_index_1_0 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner2_pair_index_0_2, slice0winner2_pair_index_1_2 : natural range 0 to 23;
+  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
+  signal slice0winner2_four_index_1_1, slice0winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice0winner2_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
-  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
-  -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
-  -- slice0winner5
-  signal slice0winner5_best_cost_0_0, slice0winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
-  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
-  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 99;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -437,65 +486,7 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice1shift_reference_2, slice1shift_reference_3, slice1shift_search_out_0 : natural range 0 to 255;
   signal slice1shift_search_out_1, slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 255;
   -- slice1cost
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
-  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : integer range -255 to 255;
-  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : integer range -255 to 255;
-  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : integer range -255 to 255;
-  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : integer range -255 to 255;
-  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : integer range -255 to 255;
-  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : integer range -255 to 255;
-  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : integer range -255 to 255;
-  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : integer range -255 to 255;
-  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : integer range -255 to 255;
-  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : integer range -255 to 255;
-  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : integer range -255 to 255;
-  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : integer range -255 to 255;
-  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : integer range -255 to 255;
-  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : integer range -255 to 255;
-  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : integer range -255 to 255;
-  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_difference_2_0 : integer range -255 to 255;
-  signal slice1cost_difference_2_1, slice1cost_difference_2_2, slice1cost_difference_2_3 : integer range -255 to 255;
-  signal slice1cost_difference_2_4, slice1cost_difference_2_5, slice1cost_difference_2_6 : integer range -255 to 255;
-  signal slice1cost_difference_2_7, slice1cost_difference_2_8, slice1cost_difference_2_9 : integer range -255 to 255;
-  signal slice1cost_difference_2_10, slice1cost_difference_2_11, slice1cost_difference_2_12 : integer range -255 to 255;
-  signal slice1cost_difference_2_13, slice1cost_difference_2_14, slice1cost_difference_2_15 : integer range -255 to 255;
-  signal slice1cost_difference_2_16, slice1cost_difference_2_17, slice1cost_difference_2_18 : integer range -255 to 255;
-  signal slice1cost_difference_2_19, slice1cost_difference_2_20, slice1cost_difference_2_21 : integer range -255 to 255;
-  signal slice1cost_difference_2_22, slice1cost_difference_2_23, slice1cost_difference_2_24 : integer range -255 to 255;
-  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_difference_3_3, slice1cost_difference_3_4, slice1cost_difference_3_5 : integer range -255 to 255;
-  signal slice1cost_difference_3_6, slice1cost_difference_3_7, slice1cost_difference_3_8 : integer range -255 to 255;
-  signal slice1cost_difference_3_9, slice1cost_difference_3_10, slice1cost_difference_3_11 : integer range -255 to 255;
-  signal slice1cost_difference_3_12, slice1cost_difference_3_13, slice1cost_difference_3_14 : integer range -255 to 255;
-  signal slice1cost_difference_3_15, slice1cost_difference_3_16, slice1cost_difference_3_17 : integer range -255 to 255;
-  signal slice1cost_difference_3_18, slice1cost_difference_3_19, slice1cost_difference_3_20 : integer range -255 to 255;
-  signal slice1cost_difference_3_21, slice1cost_difference_3_22, slice1cost_difference_3_23 : integer range -255 to 255;
-  signal slice1cost_difference_3_24 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_0_8 : natural range 0 to 255;
-  signal slice1cost_reverse_0_9, slice1cost_reverse_0_10, slice1cost_reverse_0_11 : natural range 0 to 255;
-  signal slice1cost_reverse_0_12, slice1cost_reverse_0_13, slice1cost_reverse_0_14 : natural range 0 to 255;
-  signal slice1cost_reverse_0_15, slice1cost_reverse_0_16, slice1cost_reverse_0_17 : natural range 0 to 255;
-  signal slice1cost_reverse_0_18, slice1cost_reverse_0_19, slice1cost_reverse_0_20 : natural range 0 to 255;
-  signal slice1cost_reverse_0_21, slice1cost_reverse_0_22, slice1cost_reverse_0_23 : natural range 0 to 255;
-  signal slice1cost_reverse_0_24, slice1cost_single_0_0, slice1cost_single_0_1 : natural range 0 to 255;
-  signal slice1cost_single_0_2, slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
-  signal slice1cost_single_0_5, slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
-  signal slice1cost_single_0_8, slice1cost_single_0_9, slice1cost_single_0_10 : natural range 0 to 255;
-  signal slice1cost_single_0_11, slice1cost_single_0_12, slice1cost_single_0_13 : natural range 0 to 255;
-  signal slice1cost_single_0_14, slice1cost_single_0_15, slice1cost_single_0_16 : natural range 0 to 255;
-  signal slice1cost_single_0_17, slice1cost_single_0_18, slice1cost_single_0_19 : natural range 0 to 255;
-  signal slice1cost_single_0_20, slice1cost_single_0_21, slice1cost_single_0_22 : natural range 0 to 255;
-  signal slice1cost_single_0_23, slice1cost_single_0_24, slice1cost_single_3_0 : natural range 0 to 255;
-  signal slice1cost_single_3_1, slice1cost_single_3_2, slice1cost_single_3_3 : natural range 0 to 255;
-  signal slice1cost_single_3_4, slice1cost_single_3_5, slice1cost_single_3_6 : natural range 0 to 255;
-  signal slice1cost_single_3_7, slice1cost_single_3_8, slice1cost_single_3_9 : natural range 0 to 255;
-  signal slice1cost_single_3_10, slice1cost_single_3_11, slice1cost_single_3_12 : natural range 0 to 255;
-  signal slice1cost_single_3_13, slice1cost_single_3_14, slice1cost_single_3_15 : natural range 0 to 255;
-  signal slice1cost_single_3_16, slice1cost_single_3_17, slice1cost_single_3_18 : natural range 0 to 255;
-  signal slice1cost_single_3_19, slice1cost_single_3_20, slice1cost_single_3_21 : natural range 0 to 255;
-  signal slice1cost_single_3_22, slice1cost_single_3_23, slice1cost_single_3_24 : natural range 0 to 255;
+  signal slice1cost_signs_difference_column, slice1cost_signs_write_column : natural range 0 to 511;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
   signal slice1cost_pair_0_8, slice1cost_pair_0_9, slice1cost_pair_0_10, slice1cost_pair_0_11 : natural range 0 to 511;
@@ -504,152 +495,253 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice1cost_pair_0_18, slice1cost_pair_0_19, slice1cost_pair_0_20 : natural range 0 to 511;
   signal slice1cost_pair_0_21, slice1cost_pair_0_22, slice1cost_pair_0_23 : natural range 0 to 511;
   signal slice1cost_pair_0_24 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
-  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_negative_0_8, slice1cost_negative_0_9, slice1cost_negative_0_10, slice1cost_negative_0_11 : boolean;
-  signal slice1cost_negative_0_12, slice1cost_negative_0_13, slice1cost_negative_0_14 : boolean;
-  signal slice1cost_negative_0_15, slice1cost_negative_0_16, slice1cost_negative_0_17 : boolean;
-  signal slice1cost_negative_0_18, slice1cost_negative_0_19, slice1cost_negative_0_20 : boolean;
-  signal slice1cost_negative_0_21, slice1cost_negative_0_22, slice1cost_negative_0_23 : boolean;
-  signal slice1cost_negative_0_24, slice1cost_negative_3_0, slice1cost_negative_3_1, slice1cost_negative_3_2 : boolean;
-  signal slice1cost_negative_3_3, slice1cost_negative_3_4, slice1cost_negative_3_5, slice1cost_negative_3_6 : boolean;
-  signal slice1cost_negative_3_7, slice1cost_negative_3_8, slice1cost_negative_3_9, slice1cost_negative_3_10 : boolean;
-  signal slice1cost_negative_3_11, slice1cost_negative_3_12, slice1cost_negative_3_13 : boolean;
-  signal slice1cost_negative_3_14, slice1cost_negative_3_15, slice1cost_negative_3_16 : boolean;
-  signal slice1cost_negative_3_17, slice1cost_negative_3_18, slice1cost_negative_3_19 : boolean;
-  signal slice1cost_negative_3_20, slice1cost_negative_3_21, slice1cost_negative_3_22 : boolean;
-  signal slice1cost_negative_3_23, slice1cost_negative_3_24, slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 767;
-  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 767;
-  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 767;
-  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 767;
-  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 767;
-  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 767;
-  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 767;
-  signal slice1cost_column_0_24, slice1cost_column_1_0, slice1cost_column_1_1 : natural range 0 to 767;
-  signal slice1cost_column_1_2, slice1cost_column_1_3, slice1cost_column_1_4 : natural range 0 to 767;
-  signal slice1cost_column_1_5, slice1cost_column_1_6, slice1cost_column_1_7 : natural range 0 to 767;
-  signal slice1cost_column_1_8, slice1cost_column_1_9, slice1cost_column_1_10 : natural range 0 to 767;
-  signal slice1cost_column_1_11, slice1cost_column_1_12, slice1cost_column_1_13 : natural range 0 to 767;
-  signal slice1cost_column_1_14, slice1cost_column_1_15, slice1cost_column_1_16 : natural range 0 to 767;
-  signal slice1cost_column_1_17, slice1cost_column_1_18, slice1cost_column_1_19 : natural range 0 to 767;
-  signal slice1cost_column_1_20, slice1cost_column_1_21, slice1cost_column_1_22 : natural range 0 to 767;
-  signal slice1cost_column_1_23, slice1cost_column_1_24 : natural range 0 to 767;
+  signal slice1cost_signs_read_words_0, slice1cost_signs_read_words_1 : unsigned(24 downto 0);
+  signal slice1cost_signs_ready_words_0, slice1cost_signs_ready_words_1 : natural range 0 to 33554431;
+  signal slice1cost_signs_write_words_0, slice1cost_signs_write_words_1 : natural range 0 to 33554431;
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : natural range 0 to 255;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : natural range 0 to 255;
+  signal slice1cost_difference_0_6, slice1cost_difference_0_7, slice1cost_difference_0_8 : natural range 0 to 255;
+  signal slice1cost_difference_0_9, slice1cost_difference_0_10, slice1cost_difference_0_11 : natural range 0 to 255;
+  signal slice1cost_difference_0_12, slice1cost_difference_0_13, slice1cost_difference_0_14 : natural range 0 to 255;
+  signal slice1cost_difference_0_15, slice1cost_difference_0_16, slice1cost_difference_0_17 : natural range 0 to 255;
+  signal slice1cost_difference_0_18, slice1cost_difference_0_19, slice1cost_difference_0_20 : natural range 0 to 255;
+  signal slice1cost_difference_0_21, slice1cost_difference_0_22, slice1cost_difference_0_23 : natural range 0 to 255;
+  signal slice1cost_difference_0_24, slice1cost_difference_1_0, slice1cost_difference_1_1 : natural range 0 to 255;
+  signal slice1cost_difference_1_2, slice1cost_difference_1_3, slice1cost_difference_1_4 : natural range 0 to 255;
+  signal slice1cost_difference_1_5, slice1cost_difference_1_6, slice1cost_difference_1_7 : natural range 0 to 255;
+  signal slice1cost_difference_1_8, slice1cost_difference_1_9, slice1cost_difference_1_10 : natural range 0 to 255;
+  signal slice1cost_difference_1_11, slice1cost_difference_1_12, slice1cost_difference_1_13 : natural range 0 to 255;
+  signal slice1cost_difference_1_14, slice1cost_difference_1_15, slice1cost_difference_1_16 : natural range 0 to 255;
+  signal slice1cost_difference_1_17, slice1cost_difference_1_18, slice1cost_difference_1_19 : natural range 0 to 255;
+  signal slice1cost_difference_1_20, slice1cost_difference_1_21, slice1cost_difference_1_22 : natural range 0 to 255;
+  signal slice1cost_difference_1_23, slice1cost_difference_1_24, slice1cost_single_0_0 : natural range 0 to 255;
+  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
+  signal slice1cost_single_0_4, slice1cost_single_0_5, slice1cost_single_0_6 : natural range 0 to 255;
+  signal slice1cost_single_0_7, slice1cost_single_0_8, slice1cost_single_0_9 : natural range 0 to 255;
+  signal slice1cost_single_0_10, slice1cost_single_0_11, slice1cost_single_0_12 : natural range 0 to 255;
+  signal slice1cost_single_0_13, slice1cost_single_0_14, slice1cost_single_0_15 : natural range 0 to 255;
+  signal slice1cost_single_0_16, slice1cost_single_0_17, slice1cost_single_0_18 : natural range 0 to 255;
+  signal slice1cost_single_0_19, slice1cost_single_0_20, slice1cost_single_0_21 : natural range 0 to 255;
+  signal slice1cost_single_0_22, slice1cost_single_0_23, slice1cost_single_0_24 : natural range 0 to 255;
+  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
+  signal slice1cost_single_3_3, slice1cost_single_3_4, slice1cost_single_3_5 : natural range 0 to 255;
+  signal slice1cost_single_3_6, slice1cost_single_3_7, slice1cost_single_3_8 : natural range 0 to 255;
+  signal slice1cost_single_3_9, slice1cost_single_3_10, slice1cost_single_3_11 : natural range 0 to 255;
+  signal slice1cost_single_3_12, slice1cost_single_3_13, slice1cost_single_3_14 : natural range 0 to 255;
+  signal slice1cost_single_3_15, slice1cost_single_3_16, slice1cost_single_3_17 : natural range 0 to 255;
+  signal slice1cost_single_3_18, slice1cost_single_3_19, slice1cost_single_3_20 : natural range 0 to 255;
+  signal slice1cost_single_3_21, slice1cost_single_3_22, slice1cost_single_3_23 : natural range 0 to 255;
+  signal slice1cost_single_3_24 : natural range 0 to 255;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
+  signal slice1cost_difference_2_3, slice1cost_difference_2_4, slice1cost_difference_2_5 : integer range -255 to 255;
+  signal slice1cost_difference_2_6, slice1cost_difference_2_7, slice1cost_difference_2_8 : integer range -255 to 255;
+  signal slice1cost_difference_2_9, slice1cost_difference_2_10, slice1cost_difference_2_11 : integer range -255 to 255;
+  signal slice1cost_difference_2_12, slice1cost_difference_2_13, slice1cost_difference_2_14 : integer range -255 to 255;
+  signal slice1cost_difference_2_15, slice1cost_difference_2_16, slice1cost_difference_2_17 : integer range -255 to 255;
+  signal slice1cost_difference_2_18, slice1cost_difference_2_19, slice1cost_difference_2_20 : integer range -255 to 255;
+  signal slice1cost_difference_2_21, slice1cost_difference_2_22, slice1cost_difference_2_23 : integer range -255 to 255;
+  signal slice1cost_difference_2_24, slice1cost_difference_3_0, slice1cost_difference_3_1 : integer range -255 to 255;
+  signal slice1cost_difference_3_2, slice1cost_difference_3_3, slice1cost_difference_3_4 : integer range -255 to 255;
+  signal slice1cost_difference_3_5, slice1cost_difference_3_6, slice1cost_difference_3_7 : integer range -255 to 255;
+  signal slice1cost_difference_3_8, slice1cost_difference_3_9, slice1cost_difference_3_10 : integer range -255 to 255;
+  signal slice1cost_difference_3_11, slice1cost_difference_3_12, slice1cost_difference_3_13 : integer range -255 to 255;
+  signal slice1cost_difference_3_14, slice1cost_difference_3_15, slice1cost_difference_3_16 : integer range -255 to 255;
+  signal slice1cost_difference_3_17, slice1cost_difference_3_18, slice1cost_difference_3_19 : integer range -255 to 255;
+  signal slice1cost_difference_3_20, slice1cost_difference_3_21, slice1cost_difference_3_22 : integer range -255 to 255;
+  signal slice1cost_difference_3_23, slice1cost_difference_3_24 : integer range -255 to 255;
+  signal slice1cost_newest_negative_0_0, slice1cost_newest_negative_0_1, slice1cost_newest_negative_0_2 : boolean;
+  signal slice1cost_newest_negative_0_3, slice1cost_newest_negative_0_4, slice1cost_newest_negative_0_5 : boolean;
+  signal slice1cost_newest_negative_0_6, slice1cost_newest_negative_0_7, slice1cost_newest_negative_0_8 : boolean;
+  signal slice1cost_newest_negative_0_9, slice1cost_newest_negative_0_10, slice1cost_newest_negative_0_11 : boolean;
+  signal slice1cost_newest_negative_0_12, slice1cost_newest_negative_0_13, slice1cost_newest_negative_0_14 : boolean;
+  signal slice1cost_newest_negative_0_15, slice1cost_newest_negative_0_16, slice1cost_newest_negative_0_17 : boolean;
+  signal slice1cost_newest_negative_0_18, slice1cost_newest_negative_0_19, slice1cost_newest_negative_0_20 : boolean;
+  signal slice1cost_newest_negative_0_21, slice1cost_newest_negative_0_22, slice1cost_newest_negative_0_23 : boolean;
+  signal slice1cost_newest_negative_0_24, slice1cost_newest_negative_1_0, slice1cost_newest_negative_1_1 : boolean;
+  signal slice1cost_newest_negative_1_2, slice1cost_newest_negative_1_3, slice1cost_newest_negative_1_4 : boolean;
+  signal slice1cost_newest_negative_1_5, slice1cost_newest_negative_1_6, slice1cost_newest_negative_1_7 : boolean;
+  signal slice1cost_newest_negative_1_8, slice1cost_newest_negative_1_9, slice1cost_newest_negative_1_10 : boolean;
+  signal slice1cost_newest_negative_1_11, slice1cost_newest_negative_1_12, slice1cost_newest_negative_1_13 : boolean;
+  signal slice1cost_newest_negative_1_14, slice1cost_newest_negative_1_15, slice1cost_newest_negative_1_16 : boolean;
+  signal slice1cost_newest_negative_1_17, slice1cost_newest_negative_1_18, slice1cost_newest_negative_1_19 : boolean;
+  signal slice1cost_newest_negative_1_20, slice1cost_newest_negative_1_21, slice1cost_newest_negative_1_22 : boolean;
+  signal slice1cost_newest_negative_1_23, slice1cost_newest_negative_1_24, slice1cost_single_negative_3_0 : boolean;
+  signal slice1cost_single_negative_3_1, slice1cost_single_negative_3_2, slice1cost_single_negative_3_3 : boolean;
+  signal slice1cost_single_negative_3_4, slice1cost_single_negative_3_5, slice1cost_single_negative_3_6 : boolean;
+  signal slice1cost_single_negative_3_7, slice1cost_single_negative_3_8, slice1cost_single_negative_3_9 : boolean;
+  signal slice1cost_single_negative_3_10, slice1cost_single_negative_3_11, slice1cost_single_negative_3_12 : boolean;
+  signal slice1cost_single_negative_3_13, slice1cost_single_negative_3_14, slice1cost_single_negative_3_15 : boolean;
+  signal slice1cost_single_negative_3_16, slice1cost_single_negative_3_17, slice1cost_single_negative_3_18 : boolean;
+  signal slice1cost_single_negative_3_19, slice1cost_single_negative_3_20, slice1cost_single_negative_3_21 : boolean;
+  signal slice1cost_single_negative_3_22, slice1cost_single_negative_3_23, slice1cost_single_negative_3_24 : boolean;
+  signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 766;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 766;
+  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_0_8 : natural range 0 to 766;
+  signal slice1cost_column_0_9, slice1cost_column_0_10, slice1cost_column_0_11 : natural range 0 to 766;
+  signal slice1cost_column_0_12, slice1cost_column_0_13, slice1cost_column_0_14 : natural range 0 to 766;
+  signal slice1cost_column_0_15, slice1cost_column_0_16, slice1cost_column_0_17 : natural range 0 to 766;
+  signal slice1cost_column_0_18, slice1cost_column_0_19, slice1cost_column_0_20 : natural range 0 to 766;
+  signal slice1cost_column_0_21, slice1cost_column_0_22, slice1cost_column_0_23 : natural range 0 to 766;
+  signal slice1cost_column_0_24 : natural range 0 to 766;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
+  signal slice1cost_column_1_3, slice1cost_column_1_4, slice1cost_column_1_5 : natural range 0 to 767;
+  signal slice1cost_column_1_6, slice1cost_column_1_7, slice1cost_column_1_8 : natural range 0 to 767;
+  signal slice1cost_column_1_9, slice1cost_column_1_10, slice1cost_column_1_11 : natural range 0 to 767;
+  signal slice1cost_column_1_12, slice1cost_column_1_13, slice1cost_column_1_14 : natural range 0 to 767;
+  signal slice1cost_column_1_15, slice1cost_column_1_16, slice1cost_column_1_17 : natural range 0 to 767;
+  signal slice1cost_column_1_18, slice1cost_column_1_19, slice1cost_column_1_20 : natural range 0 to 767;
+  signal slice1cost_column_1_21, slice1cost_column_1_22, slice1cost_column_1_23 : natural range 0 to 767;
+  signal slice1cost_column_1_24 : natural range 0 to 767;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 767;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 767;
-  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 767;
-  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 767;
-  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 767;
-  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 767;
-  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 767;
-  signal slice1window_partial_0_0_24, slice1window_partial_1_0_0, slice1window_partial_1_0_1 : natural range 0 to 767;
-  signal slice1window_partial_1_0_2, slice1window_partial_1_0_3, slice1window_partial_1_0_4 : natural range 0 to 767;
-  signal slice1window_partial_1_0_5, slice1window_partial_1_0_6, slice1window_partial_1_0_7 : natural range 0 to 767;
-  signal slice1window_partial_1_0_8, slice1window_partial_1_0_9, slice1window_partial_1_0_10 : natural range 0 to 767;
-  signal slice1window_partial_1_0_11, slice1window_partial_1_0_12, slice1window_partial_1_0_13 : natural range 0 to 767;
-  signal slice1window_partial_1_0_14, slice1window_partial_1_0_15, slice1window_partial_1_0_16 : natural range 0 to 767;
-  signal slice1window_partial_1_0_17, slice1window_partial_1_0_18, slice1window_partial_1_0_19 : natural range 0 to 767;
-  signal slice1window_partial_1_0_20, slice1window_partial_1_0_21, slice1window_partial_1_0_22 : natural range 0 to 767;
-  signal slice1window_partial_1_0_23, slice1window_partial_1_0_24 : natural range 0 to 767;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1534;
-  signal slice1window_partial_0_1_24, slice1window_partial_1_1_0, slice1window_partial_1_1_1 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_2, slice1window_partial_1_1_3, slice1window_partial_1_1_4 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_5, slice1window_partial_1_1_6, slice1window_partial_1_1_7 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_8, slice1window_partial_1_1_9, slice1window_partial_1_1_10 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_11, slice1window_partial_1_1_12 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_13, slice1window_partial_1_1_14 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_15, slice1window_partial_1_1_16 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_17, slice1window_partial_1_1_18 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_19, slice1window_partial_1_1_20 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_21, slice1window_partial_1_1_22 : natural range 0 to 1534;
-  signal slice1window_partial_1_1_23, slice1window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2301;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2301;
-  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2301;
-  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2301;
-  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2301;
-  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2301;
-  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2301;
-  signal slice1window_sum_0_24, slice1window_sum_1_0, slice1window_sum_1_1 : natural range 0 to 2301;
-  signal slice1window_sum_1_2, slice1window_sum_1_3, slice1window_sum_1_4 : natural range 0 to 2301;
-  signal slice1window_sum_1_5, slice1window_sum_1_6, slice1window_sum_1_7 : natural range 0 to 2301;
-  signal slice1window_sum_1_8, slice1window_sum_1_9, slice1window_sum_1_10 : natural range 0 to 2301;
-  signal slice1window_sum_1_11, slice1window_sum_1_12, slice1window_sum_1_13 : natural range 0 to 2301;
-  signal slice1window_sum_1_14, slice1window_sum_1_15, slice1window_sum_1_16 : natural range 0 to 2301;
-  signal slice1window_sum_1_17, slice1window_sum_1_18, slice1window_sum_1_19 : natural range 0 to 2301;
-  signal slice1window_sum_1_20, slice1window_sum_1_21, slice1window_sum_1_22 : natural range 0 to 2301;
-  signal slice1window_sum_1_23, slice1window_sum_1_24 : natural range 0 to 2301;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 766;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 766;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_0_0_8 : natural range 0 to 766;
+  signal slice1window_partial_0_0_9, slice1window_partial_0_0_10, slice1window_partial_0_0_11 : natural range 0 to 766;
+  signal slice1window_partial_0_0_12, slice1window_partial_0_0_13, slice1window_partial_0_0_14 : natural range 0 to 766;
+  signal slice1window_partial_0_0_15, slice1window_partial_0_0_16, slice1window_partial_0_0_17 : natural range 0 to 766;
+  signal slice1window_partial_0_0_18, slice1window_partial_0_0_19, slice1window_partial_0_0_20 : natural range 0 to 766;
+  signal slice1window_partial_0_0_21, slice1window_partial_0_0_22, slice1window_partial_0_0_23 : natural range 0 to 766;
+  signal slice1window_partial_0_0_24 : natural range 0 to 766;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_0_1_8 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_9, slice1window_partial_0_1_10, slice1window_partial_0_1_11 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_12, slice1window_partial_0_1_13 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_14, slice1window_partial_0_1_15 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_16, slice1window_partial_0_1_17 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_18, slice1window_partial_0_1_19 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_20, slice1window_partial_0_1_21 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_22, slice1window_partial_0_1_23 : natural range 0 to 1532;
+  signal slice1window_partial_0_1_24 : natural range 0 to 1532;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 767;
+  signal slice1window_partial_1_0_3, slice1window_partial_1_0_4, slice1window_partial_1_0_5 : natural range 0 to 767;
+  signal slice1window_partial_1_0_6, slice1window_partial_1_0_7, slice1window_partial_1_0_8 : natural range 0 to 767;
+  signal slice1window_partial_1_0_9, slice1window_partial_1_0_10, slice1window_partial_1_0_11 : natural range 0 to 767;
+  signal slice1window_partial_1_0_12, slice1window_partial_1_0_13, slice1window_partial_1_0_14 : natural range 0 to 767;
+  signal slice1window_partial_1_0_15, slice1window_partial_1_0_16, slice1window_partial_1_0_17 : natural range 0 to 767;
+  signal slice1window_partial_1_0_18, slice1window_partial_1_0_19, slice1window_partial_1_0_20 : natural range 0 to 767;
+  signal slice1window_partial_1_0_21, slice1window_partial_1_0_22, slice1window_partial_1_0_23 : natural range 0 to 767;
+  signal slice1window_partial_1_0_24 : natural range 0 to 767;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_3, slice1window_partial_1_1_4, slice1window_partial_1_1_5 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_6, slice1window_partial_1_1_7, slice1window_partial_1_1_8 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_9, slice1window_partial_1_1_10, slice1window_partial_1_1_11 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_12, slice1window_partial_1_1_13 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_14, slice1window_partial_1_1_15 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_16, slice1window_partial_1_1_17 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_18, slice1window_partial_1_1_19 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_20, slice1window_partial_1_1_21 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_22, slice1window_partial_1_1_23 : natural range 0 to 1534;
+  signal slice1window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2298;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 2298;
+  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 2298;
+  signal slice1window_sum_0_9, slice1window_sum_0_10, slice1window_sum_0_11 : natural range 0 to 2298;
+  signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 2298;
+  signal slice1window_sum_0_15, slice1window_sum_0_16, slice1window_sum_0_17 : natural range 0 to 2298;
+  signal slice1window_sum_0_18, slice1window_sum_0_19, slice1window_sum_0_20 : natural range 0 to 2298;
+  signal slice1window_sum_0_21, slice1window_sum_0_22, slice1window_sum_0_23 : natural range 0 to 2298;
+  signal slice1window_sum_0_24 : natural range 0 to 2298;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
+  signal slice1window_sum_1_3, slice1window_sum_1_4, slice1window_sum_1_5 : natural range 0 to 2301;
+  signal slice1window_sum_1_6, slice1window_sum_1_7, slice1window_sum_1_8 : natural range 0 to 2301;
+  signal slice1window_sum_1_9, slice1window_sum_1_10, slice1window_sum_1_11 : natural range 0 to 2301;
+  signal slice1window_sum_1_12, slice1window_sum_1_13, slice1window_sum_1_14 : natural range 0 to 2301;
+  signal slice1window_sum_1_15, slice1window_sum_1_16, slice1window_sum_1_17 : natural range 0 to 2301;
+  signal slice1window_sum_1_18, slice1window_sum_1_19, slice1window_sum_1_20 : natural range 0 to 2301;
+  signal slice1window_sum_1_21, slice1window_sum_1_22, slice1window_sum_1_23 : natural range 0 to 2301;
+  signal slice1window_sum_1_24 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_8, slice1winner1_best_cost_0_9 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_10, slice1winner1_best_cost_0_11 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_0_12, slice1winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_1, slice1winner1_best_cost_1_2 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_3, slice1winner1_best_cost_1_4 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_5, slice1winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_7, slice1winner1_best_cost_1_8 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_9, slice1winner1_best_cost_1_10 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_11, slice1winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6, slice1winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7, slice1winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice1winner1_best_index_0_8, slice1winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice1winner1_best_index_0_9, slice1winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice1winner1_best_index_0_10, slice1winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice1winner1_best_index_0_11, slice1winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_pair_0_17 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_18, slice1winner1_of_pair_0_19, slice1winner1_of_pair_0_20 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_21, slice1winner1_of_pair_0_22, slice1winner1_of_pair_0_23 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_0_24, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_of_four_0_16 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_17, slice1winner1_of_four_0_18, slice1winner1_of_four_0_19 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_20, slice1winner1_of_four_0_21, slice1winner1_of_four_0_22 : natural range 0 to 2298;
+  signal slice1winner1_of_four_0_23, slice1winner1_of_four_0_24, slice1winner1_best_cost_0_6 : natural range 0 to 2298;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_3, slice1winner1_of_pair_1_4, slice1winner1_of_pair_1_5 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_6, slice1winner1_of_pair_1_7, slice1winner1_of_pair_1_8 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_9, slice1winner1_of_pair_1_10, slice1winner1_of_pair_1_11 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_12, slice1winner1_of_pair_1_13, slice1winner1_of_pair_1_14 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_15, slice1winner1_of_pair_1_16, slice1winner1_of_pair_1_17 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_18, slice1winner1_of_pair_1_19, slice1winner1_of_pair_1_20 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_21, slice1winner1_of_pair_1_22, slice1winner1_of_pair_1_23 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_24, slice1winner1_of_four_1_0, slice1winner1_of_four_1_1 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_2, slice1winner1_of_four_1_3, slice1winner1_of_four_1_4 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_5, slice1winner1_of_four_1_6, slice1winner1_of_four_1_7 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_8, slice1winner1_of_four_1_9, slice1winner1_of_four_1_10 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_11, slice1winner1_of_four_1_12, slice1winner1_of_four_1_13 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_14, slice1winner1_of_four_1_15, slice1winner1_of_four_1_16 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_17, slice1winner1_of_four_1_18, slice1winner1_of_four_1_19 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_20, slice1winner1_of_four_1_21, slice1winner1_of_four_1_22 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_23, slice1winner1_of_four_1_24, slice1winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2, slice1winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice1winner1_four_index_0_1, slice1winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice1winner1_pair_index_0_4, slice1winner1_pair_index_1_4 : natural range 0 to 9;
+  signal slice1winner1_pair_index_0_5, slice1winner1_pair_index_1_5 : natural range 0 to 11;
+  signal slice1winner1_four_index_0_2, slice1winner1_four_index_1_2 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 11;
+  signal slice1winner1_pair_index_0_6, slice1winner1_pair_index_1_6 : natural range 0 to 13;
+  signal slice1winner1_pair_index_0_7, slice1winner1_pair_index_1_7 : natural range 0 to 15;
+  signal slice1winner1_four_index_0_3, slice1winner1_four_index_1_3 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 15;
+  signal slice1winner1_pair_index_0_8, slice1winner1_pair_index_1_8 : natural range 0 to 17;
+  signal slice1winner1_pair_index_0_9, slice1winner1_pair_index_1_9 : natural range 0 to 19;
+  signal slice1winner1_four_index_0_4, slice1winner1_four_index_1_4 : natural range 0 to 19;
+  signal slice1winner1_best_index_0_4, slice1winner1_best_index_1_4 : natural range 0 to 19;
+  signal slice1winner1_pair_index_0_10, slice1winner1_pair_index_1_10 : natural range 0 to 21;
+  signal slice1winner1_pair_index_0_11, slice1winner1_pair_index_1_11 : natural range 0 to 23;
+  signal slice1winner1_four_index_0_5, slice1winner1_four_index_1_5 : natural range 0 to 23;
+  signal slice1winner1_best_index_0_5, slice1winner1_best_index_1_5 : natural range 0 to 23;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_1_4, slice1winner1_best_cost_1_5 : natural range 0 to 4095;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_0_4, slice1winner2_best_cost_0_5 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_0_6, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_1, slice1winner2_best_cost_1_2 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_3, slice1winner2_best_cost_1_4 : natural range 0 to 2301;
-  signal slice1winner2_best_cost_1_5, slice1winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2, slice1winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3, slice1winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice1winner2_best_index_0_4, slice1winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice1winner2_best_index_0_5, slice1winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 4095;
+  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_pair_0_5 : natural range 0 to 4095;
+  signal slice1winner2_of_pair_1_0, slice1winner2_of_pair_1_1, slice1winner2_of_pair_1_2 : natural range 0 to 4095;
+  signal slice1winner2_of_pair_1_3, slice1winner2_of_pair_1_4, slice1winner2_of_pair_1_5 : natural range 0 to 4095;
+  signal slice1winner2_of_four_0_0, slice1winner2_of_four_0_1, slice1winner2_of_four_0_2 : natural range 0 to 4095;
+  signal slice1winner2_of_four_0_3, slice1winner2_of_four_0_4, slice1winner2_of_four_0_5 : natural range 0 to 4095;
+  signal slice1winner2_of_four_1_0, slice1winner2_of_four_1_1, slice1winner2_of_four_1_2 : natural range 0 to 4095;
+  signal slice1winner2_of_four_1_3, slice1winner2_of_four_1_4, slice1winner2_of_four_1_5 : natural range 0 to 4095;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 4095;
+  signal slice1winner2_of_pair_0_6, slice1winner2_of_four_0_6 : natural range 0 to 2298;
+  signal slice1winner2_of_pair_1_6, slice1winner2_of_four_1_6 : natural range 0 to 2301;
+  signal slice1winner2_pair_index_0_0, slice1winner2_pair_index_1_0 : natural range 0 to 7;
+  signal slice1winner2_pair_index_0_1, slice1winner2_pair_index_1_1 : natural range 0 to 15;
+  signal slice1winner2_four_index_0_0, slice1winner2_four_index_1_0 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 15;
+  signal slice1winner2_pair_index_0_2, slice1winner2_pair_index_1_2 : natural range 0 to 23;
+  signal slice1winner2_four_index_0_1, slice1winner2_four_index_1_1 : natural range 0 to 24;
+  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 24;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner3_best_cost_0_2, slice1winner3_best_cost_0_3 : natural range 0 to 2301;
-  signal slice1winner3_best_cost_1_0, slice1winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner3_best_cost_1_2, slice1winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1, slice1winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice1winner3_best_index_0_2, slice1winner3_best_index_1_2 : natural range 0 to 23;
-  -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner4_best_cost_1_0, slice1winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice1winner4_best_index_0_1, slice1winner4_best_index_1_1 : natural range 0 to 24;
-  -- slice1winner5
-  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 24;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 99;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -691,65 +783,7 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice2shift_reference_2, slice2shift_reference_3, slice2shift_search_out_0 : natural range 0 to 255;
   signal slice2shift_search_out_1, slice2shift_search_out_2, slice2shift_search_out_3 : natural range 0 to 255;
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : integer range -255 to 255;
-  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : integer range -255 to 255;
-  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : integer range -255 to 255;
-  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : integer range -255 to 255;
-  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : integer range -255 to 255;
-  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : integer range -255 to 255;
-  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : integer range -255 to 255;
-  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : integer range -255 to 255;
-  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : integer range -255 to 255;
-  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : integer range -255 to 255;
-  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : integer range -255 to 255;
-  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : integer range -255 to 255;
-  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : integer range -255 to 255;
-  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : integer range -255 to 255;
-  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : integer range -255 to 255;
-  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : integer range -255 to 255;
-  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_difference_2_0 : integer range -255 to 255;
-  signal slice2cost_difference_2_1, slice2cost_difference_2_2, slice2cost_difference_2_3 : integer range -255 to 255;
-  signal slice2cost_difference_2_4, slice2cost_difference_2_5, slice2cost_difference_2_6 : integer range -255 to 255;
-  signal slice2cost_difference_2_7, slice2cost_difference_2_8, slice2cost_difference_2_9 : integer range -255 to 255;
-  signal slice2cost_difference_2_10, slice2cost_difference_2_11, slice2cost_difference_2_12 : integer range -255 to 255;
-  signal slice2cost_difference_2_13, slice2cost_difference_2_14, slice2cost_difference_2_15 : integer range -255 to 255;
-  signal slice2cost_difference_2_16, slice2cost_difference_2_17, slice2cost_difference_2_18 : integer range -255 to 255;
-  signal slice2cost_difference_2_19, slice2cost_difference_2_20, slice2cost_difference_2_21 : integer range -255 to 255;
-  signal slice2cost_difference_2_22, slice2cost_difference_2_23, slice2cost_difference_2_24 : integer range -255 to 255;
-  signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_3_2 : integer range -255 to 255;
-  signal slice2cost_difference_3_3, slice2cost_difference_3_4, slice2cost_difference_3_5 : integer range -255 to 255;
-  signal slice2cost_difference_3_6, slice2cost_difference_3_7, slice2cost_difference_3_8 : integer range -255 to 255;
-  signal slice2cost_difference_3_9, slice2cost_difference_3_10, slice2cost_difference_3_11 : integer range -255 to 255;
-  signal slice2cost_difference_3_12, slice2cost_difference_3_13, slice2cost_difference_3_14 : integer range -255 to 255;
-  signal slice2cost_difference_3_15, slice2cost_difference_3_16, slice2cost_difference_3_17 : integer range -255 to 255;
-  signal slice2cost_difference_3_18, slice2cost_difference_3_19, slice2cost_difference_3_20 : integer range -255 to 255;
-  signal slice2cost_difference_3_21, slice2cost_difference_3_22, slice2cost_difference_3_23 : integer range -255 to 255;
-  signal slice2cost_difference_3_24 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_0_2 : natural range 0 to 255;
-  signal slice2cost_reverse_0_3, slice2cost_reverse_0_4, slice2cost_reverse_0_5 : natural range 0 to 255;
-  signal slice2cost_reverse_0_6, slice2cost_reverse_0_7, slice2cost_reverse_0_8 : natural range 0 to 255;
-  signal slice2cost_reverse_0_9, slice2cost_reverse_0_10, slice2cost_reverse_0_11 : natural range 0 to 255;
-  signal slice2cost_reverse_0_12, slice2cost_reverse_0_13, slice2cost_reverse_0_14 : natural range 0 to 255;
-  signal slice2cost_reverse_0_15, slice2cost_reverse_0_16, slice2cost_reverse_0_17 : natural range 0 to 255;
-  signal slice2cost_reverse_0_18, slice2cost_reverse_0_19, slice2cost_reverse_0_20 : natural range 0 to 255;
-  signal slice2cost_reverse_0_21, slice2cost_reverse_0_22, slice2cost_reverse_0_23 : natural range 0 to 255;
-  signal slice2cost_reverse_0_24, slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
-  signal slice2cost_single_0_2, slice2cost_single_0_3, slice2cost_single_0_4 : natural range 0 to 255;
-  signal slice2cost_single_0_5, slice2cost_single_0_6, slice2cost_single_0_7 : natural range 0 to 255;
-  signal slice2cost_single_0_8, slice2cost_single_0_9, slice2cost_single_0_10 : natural range 0 to 255;
-  signal slice2cost_single_0_11, slice2cost_single_0_12, slice2cost_single_0_13 : natural range 0 to 255;
-  signal slice2cost_single_0_14, slice2cost_single_0_15, slice2cost_single_0_16 : natural range 0 to 255;
-  signal slice2cost_single_0_17, slice2cost_single_0_18, slice2cost_single_0_19 : natural range 0 to 255;
-  signal slice2cost_single_0_20, slice2cost_single_0_21, slice2cost_single_0_22 : natural range 0 to 255;
-  signal slice2cost_single_0_23, slice2cost_single_0_24, slice2cost_single_3_0 : natural range 0 to 255;
-  signal slice2cost_single_3_1, slice2cost_single_3_2, slice2cost_single_3_3 : natural range 0 to 255;
-  signal slice2cost_single_3_4, slice2cost_single_3_5, slice2cost_single_3_6 : natural range 0 to 255;
-  signal slice2cost_single_3_7, slice2cost_single_3_8, slice2cost_single_3_9 : natural range 0 to 255;
-  signal slice2cost_single_3_10, slice2cost_single_3_11, slice2cost_single_3_12 : natural range 0 to 255;
-  signal slice2cost_single_3_13, slice2cost_single_3_14, slice2cost_single_3_15 : natural range 0 to 255;
-  signal slice2cost_single_3_16, slice2cost_single_3_17, slice2cost_single_3_18 : natural range 0 to 255;
-  signal slice2cost_single_3_19, slice2cost_single_3_20, slice2cost_single_3_21 : natural range 0 to 255;
-  signal slice2cost_single_3_22, slice2cost_single_3_23, slice2cost_single_3_24 : natural range 0 to 255;
+  signal slice2cost_signs_difference_column, slice2cost_signs_write_column : natural range 0 to 511;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
   signal slice2cost_pair_0_4, slice2cost_pair_0_5, slice2cost_pair_0_6, slice2cost_pair_0_7 : natural range 0 to 511;
   signal slice2cost_pair_0_8, slice2cost_pair_0_9, slice2cost_pair_0_10, slice2cost_pair_0_11 : natural range 0 to 511;
@@ -758,152 +792,253 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice2cost_pair_0_18, slice2cost_pair_0_19, slice2cost_pair_0_20 : natural range 0 to 511;
   signal slice2cost_pair_0_21, slice2cost_pair_0_22, slice2cost_pair_0_23 : natural range 0 to 511;
   signal slice2cost_pair_0_24 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_0_2, slice2cost_negative_0_3 : boolean;
-  signal slice2cost_negative_0_4, slice2cost_negative_0_5, slice2cost_negative_0_6, slice2cost_negative_0_7 : boolean;
-  signal slice2cost_negative_0_8, slice2cost_negative_0_9, slice2cost_negative_0_10, slice2cost_negative_0_11 : boolean;
-  signal slice2cost_negative_0_12, slice2cost_negative_0_13, slice2cost_negative_0_14 : boolean;
-  signal slice2cost_negative_0_15, slice2cost_negative_0_16, slice2cost_negative_0_17 : boolean;
-  signal slice2cost_negative_0_18, slice2cost_negative_0_19, slice2cost_negative_0_20 : boolean;
-  signal slice2cost_negative_0_21, slice2cost_negative_0_22, slice2cost_negative_0_23 : boolean;
-  signal slice2cost_negative_0_24, slice2cost_negative_3_0, slice2cost_negative_3_1, slice2cost_negative_3_2 : boolean;
-  signal slice2cost_negative_3_3, slice2cost_negative_3_4, slice2cost_negative_3_5, slice2cost_negative_3_6 : boolean;
-  signal slice2cost_negative_3_7, slice2cost_negative_3_8, slice2cost_negative_3_9, slice2cost_negative_3_10 : boolean;
-  signal slice2cost_negative_3_11, slice2cost_negative_3_12, slice2cost_negative_3_13 : boolean;
-  signal slice2cost_negative_3_14, slice2cost_negative_3_15, slice2cost_negative_3_16 : boolean;
-  signal slice2cost_negative_3_17, slice2cost_negative_3_18, slice2cost_negative_3_19 : boolean;
-  signal slice2cost_negative_3_20, slice2cost_negative_3_21, slice2cost_negative_3_22 : boolean;
-  signal slice2cost_negative_3_23, slice2cost_negative_3_24, slice2cost_tag_border_column : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 767;
-  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 767;
-  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 767;
-  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 767;
-  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 767;
-  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 767;
-  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 767;
-  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 767;
-  signal slice2cost_column_0_24, slice2cost_column_1_0, slice2cost_column_1_1 : natural range 0 to 767;
-  signal slice2cost_column_1_2, slice2cost_column_1_3, slice2cost_column_1_4 : natural range 0 to 767;
-  signal slice2cost_column_1_5, slice2cost_column_1_6, slice2cost_column_1_7 : natural range 0 to 767;
-  signal slice2cost_column_1_8, slice2cost_column_1_9, slice2cost_column_1_10 : natural range 0 to 767;
-  signal slice2cost_column_1_11, slice2cost_column_1_12, slice2cost_column_1_13 : natural range 0 to 767;
-  signal slice2cost_column_1_14, slice2cost_column_1_15, slice2cost_column_1_16 : natural range 0 to 767;
-  signal slice2cost_column_1_17, slice2cost_column_1_18, slice2cost_column_1_19 : natural range 0 to 767;
-  signal slice2cost_column_1_20, slice2cost_column_1_21, slice2cost_column_1_22 : natural range 0 to 767;
-  signal slice2cost_column_1_23, slice2cost_column_1_24 : natural range 0 to 767;
+  signal slice2cost_signs_read_words_0, slice2cost_signs_read_words_1 : unsigned(24 downto 0);
+  signal slice2cost_signs_ready_words_0, slice2cost_signs_ready_words_1 : natural range 0 to 33554431;
+  signal slice2cost_signs_write_words_0, slice2cost_signs_write_words_1 : natural range 0 to 33554431;
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_0_2 : natural range 0 to 255;
+  signal slice2cost_difference_0_3, slice2cost_difference_0_4, slice2cost_difference_0_5 : natural range 0 to 255;
+  signal slice2cost_difference_0_6, slice2cost_difference_0_7, slice2cost_difference_0_8 : natural range 0 to 255;
+  signal slice2cost_difference_0_9, slice2cost_difference_0_10, slice2cost_difference_0_11 : natural range 0 to 255;
+  signal slice2cost_difference_0_12, slice2cost_difference_0_13, slice2cost_difference_0_14 : natural range 0 to 255;
+  signal slice2cost_difference_0_15, slice2cost_difference_0_16, slice2cost_difference_0_17 : natural range 0 to 255;
+  signal slice2cost_difference_0_18, slice2cost_difference_0_19, slice2cost_difference_0_20 : natural range 0 to 255;
+  signal slice2cost_difference_0_21, slice2cost_difference_0_22, slice2cost_difference_0_23 : natural range 0 to 255;
+  signal slice2cost_difference_0_24, slice2cost_difference_1_0, slice2cost_difference_1_1 : natural range 0 to 255;
+  signal slice2cost_difference_1_2, slice2cost_difference_1_3, slice2cost_difference_1_4 : natural range 0 to 255;
+  signal slice2cost_difference_1_5, slice2cost_difference_1_6, slice2cost_difference_1_7 : natural range 0 to 255;
+  signal slice2cost_difference_1_8, slice2cost_difference_1_9, slice2cost_difference_1_10 : natural range 0 to 255;
+  signal slice2cost_difference_1_11, slice2cost_difference_1_12, slice2cost_difference_1_13 : natural range 0 to 255;
+  signal slice2cost_difference_1_14, slice2cost_difference_1_15, slice2cost_difference_1_16 : natural range 0 to 255;
+  signal slice2cost_difference_1_17, slice2cost_difference_1_18, slice2cost_difference_1_19 : natural range 0 to 255;
+  signal slice2cost_difference_1_20, slice2cost_difference_1_21, slice2cost_difference_1_22 : natural range 0 to 255;
+  signal slice2cost_difference_1_23, slice2cost_difference_1_24, slice2cost_single_0_0 : natural range 0 to 255;
+  signal slice2cost_single_0_1, slice2cost_single_0_2, slice2cost_single_0_3 : natural range 0 to 255;
+  signal slice2cost_single_0_4, slice2cost_single_0_5, slice2cost_single_0_6 : natural range 0 to 255;
+  signal slice2cost_single_0_7, slice2cost_single_0_8, slice2cost_single_0_9 : natural range 0 to 255;
+  signal slice2cost_single_0_10, slice2cost_single_0_11, slice2cost_single_0_12 : natural range 0 to 255;
+  signal slice2cost_single_0_13, slice2cost_single_0_14, slice2cost_single_0_15 : natural range 0 to 255;
+  signal slice2cost_single_0_16, slice2cost_single_0_17, slice2cost_single_0_18 : natural range 0 to 255;
+  signal slice2cost_single_0_19, slice2cost_single_0_20, slice2cost_single_0_21 : natural range 0 to 255;
+  signal slice2cost_single_0_22, slice2cost_single_0_23, slice2cost_single_0_24 : natural range 0 to 255;
+  signal slice2cost_single_3_0, slice2cost_single_3_1, slice2cost_single_3_2 : natural range 0 to 255;
+  signal slice2cost_single_3_3, slice2cost_single_3_4, slice2cost_single_3_5 : natural range 0 to 255;
+  signal slice2cost_single_3_6, slice2cost_single_3_7, slice2cost_single_3_8 : natural range 0 to 255;
+  signal slice2cost_single_3_9, slice2cost_single_3_10, slice2cost_single_3_11 : natural range 0 to 255;
+  signal slice2cost_single_3_12, slice2cost_single_3_13, slice2cost_single_3_14 : natural range 0 to 255;
+  signal slice2cost_single_3_15, slice2cost_single_3_16, slice2cost_single_3_17 : natural range 0 to 255;
+  signal slice2cost_single_3_18, slice2cost_single_3_19, slice2cost_single_3_20 : natural range 0 to 255;
+  signal slice2cost_single_3_21, slice2cost_single_3_22, slice2cost_single_3_23 : natural range 0 to 255;
+  signal slice2cost_single_3_24 : natural range 0 to 255;
+  signal slice2cost_difference_2_0, slice2cost_difference_2_1, slice2cost_difference_2_2 : integer range -255 to 255;
+  signal slice2cost_difference_2_3, slice2cost_difference_2_4, slice2cost_difference_2_5 : integer range -255 to 255;
+  signal slice2cost_difference_2_6, slice2cost_difference_2_7, slice2cost_difference_2_8 : integer range -255 to 255;
+  signal slice2cost_difference_2_9, slice2cost_difference_2_10, slice2cost_difference_2_11 : integer range -255 to 255;
+  signal slice2cost_difference_2_12, slice2cost_difference_2_13, slice2cost_difference_2_14 : integer range -255 to 255;
+  signal slice2cost_difference_2_15, slice2cost_difference_2_16, slice2cost_difference_2_17 : integer range -255 to 255;
+  signal slice2cost_difference_2_18, slice2cost_difference_2_19, slice2cost_difference_2_20 : integer range -255 to 255;
+  signal slice2cost_difference_2_21, slice2cost_difference_2_22, slice2cost_difference_2_23 : integer range -255 to 255;
+  signal slice2cost_difference_2_24, slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
+  signal slice2cost_difference_3_2, slice2cost_difference_3_3, slice2cost_difference_3_4 : integer range -255 to 255;
+  signal slice2cost_difference_3_5, slice2cost_difference_3_6, slice2cost_difference_3_7 : integer range -255 to 255;
+  signal slice2cost_difference_3_8, slice2cost_difference_3_9, slice2cost_difference_3_10 : integer range -255 to 255;
+  signal slice2cost_difference_3_11, slice2cost_difference_3_12, slice2cost_difference_3_13 : integer range -255 to 255;
+  signal slice2cost_difference_3_14, slice2cost_difference_3_15, slice2cost_difference_3_16 : integer range -255 to 255;
+  signal slice2cost_difference_3_17, slice2cost_difference_3_18, slice2cost_difference_3_19 : integer range -255 to 255;
+  signal slice2cost_difference_3_20, slice2cost_difference_3_21, slice2cost_difference_3_22 : integer range -255 to 255;
+  signal slice2cost_difference_3_23, slice2cost_difference_3_24 : integer range -255 to 255;
+  signal slice2cost_newest_negative_0_0, slice2cost_newest_negative_0_1, slice2cost_newest_negative_0_2 : boolean;
+  signal slice2cost_newest_negative_0_3, slice2cost_newest_negative_0_4, slice2cost_newest_negative_0_5 : boolean;
+  signal slice2cost_newest_negative_0_6, slice2cost_newest_negative_0_7, slice2cost_newest_negative_0_8 : boolean;
+  signal slice2cost_newest_negative_0_9, slice2cost_newest_negative_0_10, slice2cost_newest_negative_0_11 : boolean;
+  signal slice2cost_newest_negative_0_12, slice2cost_newest_negative_0_13, slice2cost_newest_negative_0_14 : boolean;
+  signal slice2cost_newest_negative_0_15, slice2cost_newest_negative_0_16, slice2cost_newest_negative_0_17 : boolean;
+  signal slice2cost_newest_negative_0_18, slice2cost_newest_negative_0_19, slice2cost_newest_negative_0_20 : boolean;
+  signal slice2cost_newest_negative_0_21, slice2cost_newest_negative_0_22, slice2cost_newest_negative_0_23 : boolean;
+  signal slice2cost_newest_negative_0_24, slice2cost_newest_negative_1_0, slice2cost_newest_negative_1_1 : boolean;
+  signal slice2cost_newest_negative_1_2, slice2cost_newest_negative_1_3, slice2cost_newest_negative_1_4 : boolean;
+  signal slice2cost_newest_negative_1_5, slice2cost_newest_negative_1_6, slice2cost_newest_negative_1_7 : boolean;
+  signal slice2cost_newest_negative_1_8, slice2cost_newest_negative_1_9, slice2cost_newest_negative_1_10 : boolean;
+  signal slice2cost_newest_negative_1_11, slice2cost_newest_negative_1_12, slice2cost_newest_negative_1_13 : boolean;
+  signal slice2cost_newest_negative_1_14, slice2cost_newest_negative_1_15, slice2cost_newest_negative_1_16 : boolean;
+  signal slice2cost_newest_negative_1_17, slice2cost_newest_negative_1_18, slice2cost_newest_negative_1_19 : boolean;
+  signal slice2cost_newest_negative_1_20, slice2cost_newest_negative_1_21, slice2cost_newest_negative_1_22 : boolean;
+  signal slice2cost_newest_negative_1_23, slice2cost_newest_negative_1_24, slice2cost_single_negative_3_0 : boolean;
+  signal slice2cost_single_negative_3_1, slice2cost_single_negative_3_2, slice2cost_single_negative_3_3 : boolean;
+  signal slice2cost_single_negative_3_4, slice2cost_single_negative_3_5, slice2cost_single_negative_3_6 : boolean;
+  signal slice2cost_single_negative_3_7, slice2cost_single_negative_3_8, slice2cost_single_negative_3_9 : boolean;
+  signal slice2cost_single_negative_3_10, slice2cost_single_negative_3_11, slice2cost_single_negative_3_12 : boolean;
+  signal slice2cost_single_negative_3_13, slice2cost_single_negative_3_14, slice2cost_single_negative_3_15 : boolean;
+  signal slice2cost_single_negative_3_16, slice2cost_single_negative_3_17, slice2cost_single_negative_3_18 : boolean;
+  signal slice2cost_single_negative_3_19, slice2cost_single_negative_3_20, slice2cost_single_negative_3_21 : boolean;
+  signal slice2cost_single_negative_3_22, slice2cost_single_negative_3_23, slice2cost_single_negative_3_24 : boolean;
+  signal slice2cost_tag_border_column : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 766;
+  signal slice2cost_column_0_3, slice2cost_column_0_4, slice2cost_column_0_5 : natural range 0 to 766;
+  signal slice2cost_column_0_6, slice2cost_column_0_7, slice2cost_column_0_8 : natural range 0 to 766;
+  signal slice2cost_column_0_9, slice2cost_column_0_10, slice2cost_column_0_11 : natural range 0 to 766;
+  signal slice2cost_column_0_12, slice2cost_column_0_13, slice2cost_column_0_14 : natural range 0 to 766;
+  signal slice2cost_column_0_15, slice2cost_column_0_16, slice2cost_column_0_17 : natural range 0 to 766;
+  signal slice2cost_column_0_18, slice2cost_column_0_19, slice2cost_column_0_20 : natural range 0 to 766;
+  signal slice2cost_column_0_21, slice2cost_column_0_22, slice2cost_column_0_23 : natural range 0 to 766;
+  signal slice2cost_column_0_24 : natural range 0 to 766;
+  signal slice2cost_column_1_0, slice2cost_column_1_1, slice2cost_column_1_2 : natural range 0 to 767;
+  signal slice2cost_column_1_3, slice2cost_column_1_4, slice2cost_column_1_5 : natural range 0 to 767;
+  signal slice2cost_column_1_6, slice2cost_column_1_7, slice2cost_column_1_8 : natural range 0 to 767;
+  signal slice2cost_column_1_9, slice2cost_column_1_10, slice2cost_column_1_11 : natural range 0 to 767;
+  signal slice2cost_column_1_12, slice2cost_column_1_13, slice2cost_column_1_14 : natural range 0 to 767;
+  signal slice2cost_column_1_15, slice2cost_column_1_16, slice2cost_column_1_17 : natural range 0 to 767;
+  signal slice2cost_column_1_18, slice2cost_column_1_19, slice2cost_column_1_20 : natural range 0 to 767;
+  signal slice2cost_column_1_21, slice2cost_column_1_22, slice2cost_column_1_23 : natural range 0 to 767;
+  signal slice2cost_column_1_24 : natural range 0 to 767;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 767;
-  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 767;
-  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 767;
-  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 767;
-  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 767;
-  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 767;
-  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 767;
-  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 767;
-  signal slice2window_partial_0_0_24, slice2window_partial_1_0_0, slice2window_partial_1_0_1 : natural range 0 to 767;
-  signal slice2window_partial_1_0_2, slice2window_partial_1_0_3, slice2window_partial_1_0_4 : natural range 0 to 767;
-  signal slice2window_partial_1_0_5, slice2window_partial_1_0_6, slice2window_partial_1_0_7 : natural range 0 to 767;
-  signal slice2window_partial_1_0_8, slice2window_partial_1_0_9, slice2window_partial_1_0_10 : natural range 0 to 767;
-  signal slice2window_partial_1_0_11, slice2window_partial_1_0_12, slice2window_partial_1_0_13 : natural range 0 to 767;
-  signal slice2window_partial_1_0_14, slice2window_partial_1_0_15, slice2window_partial_1_0_16 : natural range 0 to 767;
-  signal slice2window_partial_1_0_17, slice2window_partial_1_0_18, slice2window_partial_1_0_19 : natural range 0 to 767;
-  signal slice2window_partial_1_0_20, slice2window_partial_1_0_21, slice2window_partial_1_0_22 : natural range 0 to 767;
-  signal slice2window_partial_1_0_23, slice2window_partial_1_0_24 : natural range 0 to 767;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1534;
-  signal slice2window_partial_0_1_24, slice2window_partial_1_1_0, slice2window_partial_1_1_1 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_2, slice2window_partial_1_1_3, slice2window_partial_1_1_4 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_5, slice2window_partial_1_1_6, slice2window_partial_1_1_7 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_8, slice2window_partial_1_1_9, slice2window_partial_1_1_10 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_11, slice2window_partial_1_1_12 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_13, slice2window_partial_1_1_14 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_15, slice2window_partial_1_1_16 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_17, slice2window_partial_1_1_18 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_19, slice2window_partial_1_1_20 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_21, slice2window_partial_1_1_22 : natural range 0 to 1534;
-  signal slice2window_partial_1_1_23, slice2window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2301;
-  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2301;
-  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2301;
-  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2301;
-  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2301;
-  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2301;
-  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2301;
-  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2301;
-  signal slice2window_sum_0_24, slice2window_sum_1_0, slice2window_sum_1_1 : natural range 0 to 2301;
-  signal slice2window_sum_1_2, slice2window_sum_1_3, slice2window_sum_1_4 : natural range 0 to 2301;
-  signal slice2window_sum_1_5, slice2window_sum_1_6, slice2window_sum_1_7 : natural range 0 to 2301;
-  signal slice2window_sum_1_8, slice2window_sum_1_9, slice2window_sum_1_10 : natural range 0 to 2301;
-  signal slice2window_sum_1_11, slice2window_sum_1_12, slice2window_sum_1_13 : natural range 0 to 2301;
-  signal slice2window_sum_1_14, slice2window_sum_1_15, slice2window_sum_1_16 : natural range 0 to 2301;
-  signal slice2window_sum_1_17, slice2window_sum_1_18, slice2window_sum_1_19 : natural range 0 to 2301;
-  signal slice2window_sum_1_20, slice2window_sum_1_21, slice2window_sum_1_22 : natural range 0 to 2301;
-  signal slice2window_sum_1_23, slice2window_sum_1_24 : natural range 0 to 2301;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 766;
+  signal slice2window_partial_0_0_3, slice2window_partial_0_0_4, slice2window_partial_0_0_5 : natural range 0 to 766;
+  signal slice2window_partial_0_0_6, slice2window_partial_0_0_7, slice2window_partial_0_0_8 : natural range 0 to 766;
+  signal slice2window_partial_0_0_9, slice2window_partial_0_0_10, slice2window_partial_0_0_11 : natural range 0 to 766;
+  signal slice2window_partial_0_0_12, slice2window_partial_0_0_13, slice2window_partial_0_0_14 : natural range 0 to 766;
+  signal slice2window_partial_0_0_15, slice2window_partial_0_0_16, slice2window_partial_0_0_17 : natural range 0 to 766;
+  signal slice2window_partial_0_0_18, slice2window_partial_0_0_19, slice2window_partial_0_0_20 : natural range 0 to 766;
+  signal slice2window_partial_0_0_21, slice2window_partial_0_0_22, slice2window_partial_0_0_23 : natural range 0 to 766;
+  signal slice2window_partial_0_0_24 : natural range 0 to 766;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_3, slice2window_partial_0_1_4, slice2window_partial_0_1_5 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_6, slice2window_partial_0_1_7, slice2window_partial_0_1_8 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_9, slice2window_partial_0_1_10, slice2window_partial_0_1_11 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_12, slice2window_partial_0_1_13 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_14, slice2window_partial_0_1_15 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_16, slice2window_partial_0_1_17 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_18, slice2window_partial_0_1_19 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_20, slice2window_partial_0_1_21 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_22, slice2window_partial_0_1_23 : natural range 0 to 1532;
+  signal slice2window_partial_0_1_24 : natural range 0 to 1532;
+  signal slice2window_partial_1_0_0, slice2window_partial_1_0_1, slice2window_partial_1_0_2 : natural range 0 to 767;
+  signal slice2window_partial_1_0_3, slice2window_partial_1_0_4, slice2window_partial_1_0_5 : natural range 0 to 767;
+  signal slice2window_partial_1_0_6, slice2window_partial_1_0_7, slice2window_partial_1_0_8 : natural range 0 to 767;
+  signal slice2window_partial_1_0_9, slice2window_partial_1_0_10, slice2window_partial_1_0_11 : natural range 0 to 767;
+  signal slice2window_partial_1_0_12, slice2window_partial_1_0_13, slice2window_partial_1_0_14 : natural range 0 to 767;
+  signal slice2window_partial_1_0_15, slice2window_partial_1_0_16, slice2window_partial_1_0_17 : natural range 0 to 767;
+  signal slice2window_partial_1_0_18, slice2window_partial_1_0_19, slice2window_partial_1_0_20 : natural range 0 to 767;
+  signal slice2window_partial_1_0_21, slice2window_partial_1_0_22, slice2window_partial_1_0_23 : natural range 0 to 767;
+  signal slice2window_partial_1_0_24 : natural range 0 to 767;
+  signal slice2window_partial_1_1_0, slice2window_partial_1_1_1, slice2window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_3, slice2window_partial_1_1_4, slice2window_partial_1_1_5 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_6, slice2window_partial_1_1_7, slice2window_partial_1_1_8 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_9, slice2window_partial_1_1_10, slice2window_partial_1_1_11 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_12, slice2window_partial_1_1_13 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_14, slice2window_partial_1_1_15 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_16, slice2window_partial_1_1_17 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_18, slice2window_partial_1_1_19 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_20, slice2window_partial_1_1_21 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_22, slice2window_partial_1_1_23 : natural range 0 to 1534;
+  signal slice2window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 2298;
+  signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 2298;
+  signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 2298;
+  signal slice2window_sum_0_9, slice2window_sum_0_10, slice2window_sum_0_11 : natural range 0 to 2298;
+  signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 2298;
+  signal slice2window_sum_0_15, slice2window_sum_0_16, slice2window_sum_0_17 : natural range 0 to 2298;
+  signal slice2window_sum_0_18, slice2window_sum_0_19, slice2window_sum_0_20 : natural range 0 to 2298;
+  signal slice2window_sum_0_21, slice2window_sum_0_22, slice2window_sum_0_23 : natural range 0 to 2298;
+  signal slice2window_sum_0_24 : natural range 0 to 2298;
+  signal slice2window_sum_1_0, slice2window_sum_1_1, slice2window_sum_1_2 : natural range 0 to 2301;
+  signal slice2window_sum_1_3, slice2window_sum_1_4, slice2window_sum_1_5 : natural range 0 to 2301;
+  signal slice2window_sum_1_6, slice2window_sum_1_7, slice2window_sum_1_8 : natural range 0 to 2301;
+  signal slice2window_sum_1_9, slice2window_sum_1_10, slice2window_sum_1_11 : natural range 0 to 2301;
+  signal slice2window_sum_1_12, slice2window_sum_1_13, slice2window_sum_1_14 : natural range 0 to 2301;
+  signal slice2window_sum_1_15, slice2window_sum_1_16, slice2window_sum_1_17 : natural range 0 to 2301;
+  signal slice2window_sum_1_18, slice2window_sum_1_19, slice2window_sum_1_20 : natural range 0 to 2301;
+  signal slice2window_sum_1_21, slice2window_sum_1_22, slice2window_sum_1_23 : natural range 0 to 2301;
+  signal slice2window_sum_1_24 : natural range 0 to 2301;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_8, slice2winner1_best_cost_0_9 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_10, slice2winner1_best_cost_0_11 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_0_12, slice2winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_1, slice2winner1_best_cost_1_2 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_3, slice2winner1_best_cost_1_4 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_5, slice2winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_7, slice2winner1_best_cost_1_8 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_9, slice2winner1_best_cost_1_10 : natural range 0 to 2301;
-  signal slice2winner1_best_cost_1_11, slice2winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
-  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6, slice2winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7, slice2winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice2winner1_best_index_0_8, slice2winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice2winner1_best_index_0_9, slice2winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice2winner1_best_index_0_10, slice2winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice2winner1_best_index_0_11, slice2winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_15, slice2winner1_of_pair_0_16, slice2winner1_of_pair_0_17 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_18, slice2winner1_of_pair_0_19, slice2winner1_of_pair_0_20 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_21, slice2winner1_of_pair_0_22, slice2winner1_of_pair_0_23 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_0_24, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_of_four_0_16 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_17, slice2winner1_of_four_0_18, slice2winner1_of_four_0_19 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_20, slice2winner1_of_four_0_21, slice2winner1_of_four_0_22 : natural range 0 to 2298;
+  signal slice2winner1_of_four_0_23, slice2winner1_of_four_0_24, slice2winner1_best_cost_0_6 : natural range 0 to 2298;
+  signal slice2winner1_of_pair_1_0, slice2winner1_of_pair_1_1, slice2winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_3, slice2winner1_of_pair_1_4, slice2winner1_of_pair_1_5 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_6, slice2winner1_of_pair_1_7, slice2winner1_of_pair_1_8 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_9, slice2winner1_of_pair_1_10, slice2winner1_of_pair_1_11 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_12, slice2winner1_of_pair_1_13, slice2winner1_of_pair_1_14 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_15, slice2winner1_of_pair_1_16, slice2winner1_of_pair_1_17 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_18, slice2winner1_of_pair_1_19, slice2winner1_of_pair_1_20 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_21, slice2winner1_of_pair_1_22, slice2winner1_of_pair_1_23 : natural range 0 to 2301;
+  signal slice2winner1_of_pair_1_24, slice2winner1_of_four_1_0, slice2winner1_of_four_1_1 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_2, slice2winner1_of_four_1_3, slice2winner1_of_four_1_4 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_5, slice2winner1_of_four_1_6, slice2winner1_of_four_1_7 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_8, slice2winner1_of_four_1_9, slice2winner1_of_four_1_10 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_11, slice2winner1_of_four_1_12, slice2winner1_of_four_1_13 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_14, slice2winner1_of_four_1_15, slice2winner1_of_four_1_16 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_17, slice2winner1_of_four_1_18, slice2winner1_of_four_1_19 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_20, slice2winner1_of_four_1_21, slice2winner1_of_four_1_22 : natural range 0 to 2301;
+  signal slice2winner1_of_four_1_23, slice2winner1_of_four_1_24, slice2winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice2winner1_pair_index_0_0, slice2winner1_pair_index_1_0 : boolean;
+  signal slice2winner1_pair_index_0_1, slice2winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice2winner1_four_index_0_0, slice2winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice2winner1_pair_index_0_2, slice2winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice2winner1_pair_index_0_3, slice2winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice2winner1_four_index_0_1, slice2winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_1, slice2winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice2winner1_pair_index_0_4, slice2winner1_pair_index_1_4 : natural range 0 to 9;
+  signal slice2winner1_pair_index_0_5, slice2winner1_pair_index_1_5 : natural range 0 to 11;
+  signal slice2winner1_four_index_0_2, slice2winner1_four_index_1_2 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_2, slice2winner1_best_index_1_2 : natural range 0 to 11;
+  signal slice2winner1_pair_index_0_6, slice2winner1_pair_index_1_6 : natural range 0 to 13;
+  signal slice2winner1_pair_index_0_7, slice2winner1_pair_index_1_7 : natural range 0 to 15;
+  signal slice2winner1_four_index_0_3, slice2winner1_four_index_1_3 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_3, slice2winner1_best_index_1_3 : natural range 0 to 15;
+  signal slice2winner1_pair_index_0_8, slice2winner1_pair_index_1_8 : natural range 0 to 17;
+  signal slice2winner1_pair_index_0_9, slice2winner1_pair_index_1_9 : natural range 0 to 19;
+  signal slice2winner1_four_index_0_4, slice2winner1_four_index_1_4 : natural range 0 to 19;
+  signal slice2winner1_best_index_0_4, slice2winner1_best_index_1_4 : natural range 0 to 19;
+  signal slice2winner1_pair_index_0_10, slice2winner1_pair_index_1_10 : natural range 0 to 21;
+  signal slice2winner1_pair_index_0_11, slice2winner1_pair_index_1_11 : natural range 0 to 23;
+  signal slice2winner1_four_index_0_5, slice2winner1_four_index_1_5 : natural range 0 to 23;
+  signal slice2winner1_best_index_0_5, slice2winner1_best_index_1_5 : natural range 0 to 23;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_1_2, slice2winner1_best_cost_1_3 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_1_4, slice2winner1_best_cost_1_5 : natural range 0 to 4095;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_0_4, slice2winner2_best_cost_0_5 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_0_6, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_1, slice2winner2_best_cost_1_2 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_3, slice2winner2_best_cost_1_4 : natural range 0 to 2301;
-  signal slice2winner2_best_cost_1_5, slice2winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2, slice2winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3, slice2winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice2winner2_best_index_0_4, slice2winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice2winner2_best_index_0_5, slice2winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 4095;
+  signal slice2winner2_of_pair_0_3, slice2winner2_of_pair_0_4, slice2winner2_of_pair_0_5 : natural range 0 to 4095;
+  signal slice2winner2_of_pair_1_0, slice2winner2_of_pair_1_1, slice2winner2_of_pair_1_2 : natural range 0 to 4095;
+  signal slice2winner2_of_pair_1_3, slice2winner2_of_pair_1_4, slice2winner2_of_pair_1_5 : natural range 0 to 4095;
+  signal slice2winner2_of_four_0_0, slice2winner2_of_four_0_1, slice2winner2_of_four_0_2 : natural range 0 to 4095;
+  signal slice2winner2_of_four_0_3, slice2winner2_of_four_0_4, slice2winner2_of_four_0_5 : natural range 0 to 4095;
+  signal slice2winner2_of_four_1_0, slice2winner2_of_four_1_1, slice2winner2_of_four_1_2 : natural range 0 to 4095;
+  signal slice2winner2_of_four_1_3, slice2winner2_of_four_1_4, slice2winner2_of_four_1_5 : natural range 0 to 4095;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice2winner2_best_cost_1_0, slice2winner2_best_cost_1_1 : natural range 0 to 4095;
+  signal slice2winner2_of_pair_0_6, slice2winner2_of_four_0_6 : natural range 0 to 2298;
+  signal slice2winner2_of_pair_1_6, slice2winner2_of_four_1_6 : natural range 0 to 2301;
+  signal slice2winner2_pair_index_0_0, slice2winner2_pair_index_1_0 : natural range 0 to 7;
+  signal slice2winner2_pair_index_0_1, slice2winner2_pair_index_1_1 : natural range 0 to 15;
+  signal slice2winner2_four_index_0_0, slice2winner2_four_index_1_0 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 15;
+  signal slice2winner2_pair_index_0_2, slice2winner2_pair_index_1_2 : natural range 0 to 23;
+  signal slice2winner2_four_index_0_1, slice2winner2_four_index_1_1 : natural range 0 to 24;
+  signal slice2winner2_best_index_0_1, slice2winner2_best_index_1_1 : natural range 0 to 24;
   -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice2winner3_best_cost_0_2, slice2winner3_best_cost_0_3 : natural range 0 to 2301;
-  signal slice2winner3_best_cost_1_0, slice2winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner3_best_cost_1_2, slice2winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1, slice2winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice2winner3_best_index_0_2, slice2winner3_best_index_1_2 : natural range 0 to 23;
-  -- slice2winner4
-  signal slice2winner4_best_cost_0_0, slice2winner4_best_cost_0_1 : natural range 0 to 2301;
-  signal slice2winner4_best_cost_1_0, slice2winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice2winner4_best_index_0_0, slice2winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice2winner4_best_index_0_1, slice2winner4_best_index_1_1 : natural range 0 to 24;
-  -- slice2winner5
-  signal slice2winner5_best_cost_0_0, slice2winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner5_best_index_0_0, slice2winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : natural range 0 to 24;
   -- slice2
-  signal slice2_best_cost_0_0, slice2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2_best_cost_0_0, slice2_best_cost_1_0 : natural range 0 to 4095;
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 99;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
@@ -944,65 +1079,7 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice3shift_search_3_24, slice3shift_reference_0, slice3shift_reference_1 : natural range 0 to 255;
   signal slice3shift_reference_2, slice3shift_reference_3 : natural range 0 to 255;
   -- slice3cost
-  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : integer range -255 to 255;
-  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : integer range -255 to 255;
-  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : integer range -255 to 255;
-  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : integer range -255 to 255;
-  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : integer range -255 to 255;
-  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : integer range -255 to 255;
-  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : integer range -255 to 255;
-  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : integer range -255 to 255;
-  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : integer range -255 to 255;
-  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : integer range -255 to 255;
-  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : integer range -255 to 255;
-  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : integer range -255 to 255;
-  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : integer range -255 to 255;
-  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : integer range -255 to 255;
-  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : integer range -255 to 255;
-  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : integer range -255 to 255;
-  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_difference_2_0 : integer range -255 to 255;
-  signal slice3cost_difference_2_1, slice3cost_difference_2_2, slice3cost_difference_2_3 : integer range -255 to 255;
-  signal slice3cost_difference_2_4, slice3cost_difference_2_5, slice3cost_difference_2_6 : integer range -255 to 255;
-  signal slice3cost_difference_2_7, slice3cost_difference_2_8, slice3cost_difference_2_9 : integer range -255 to 255;
-  signal slice3cost_difference_2_10, slice3cost_difference_2_11, slice3cost_difference_2_12 : integer range -255 to 255;
-  signal slice3cost_difference_2_13, slice3cost_difference_2_14, slice3cost_difference_2_15 : integer range -255 to 255;
-  signal slice3cost_difference_2_16, slice3cost_difference_2_17, slice3cost_difference_2_18 : integer range -255 to 255;
-  signal slice3cost_difference_2_19, slice3cost_difference_2_20, slice3cost_difference_2_21 : integer range -255 to 255;
-  signal slice3cost_difference_2_22, slice3cost_difference_2_23, slice3cost_difference_2_24 : integer range -255 to 255;
-  signal slice3cost_difference_3_0, slice3cost_difference_3_1, slice3cost_difference_3_2 : integer range -255 to 255;
-  signal slice3cost_difference_3_3, slice3cost_difference_3_4, slice3cost_difference_3_5 : integer range -255 to 255;
-  signal slice3cost_difference_3_6, slice3cost_difference_3_7, slice3cost_difference_3_8 : integer range -255 to 255;
-  signal slice3cost_difference_3_9, slice3cost_difference_3_10, slice3cost_difference_3_11 : integer range -255 to 255;
-  signal slice3cost_difference_3_12, slice3cost_difference_3_13, slice3cost_difference_3_14 : integer range -255 to 255;
-  signal slice3cost_difference_3_15, slice3cost_difference_3_16, slice3cost_difference_3_17 : integer range -255 to 255;
-  signal slice3cost_difference_3_18, slice3cost_difference_3_19, slice3cost_difference_3_20 : integer range -255 to 255;
-  signal slice3cost_difference_3_21, slice3cost_difference_3_22, slice3cost_difference_3_23 : integer range -255 to 255;
-  signal slice3cost_difference_3_24 : integer range -255 to 255;
-  signal slice3cost_reverse_0_0, slice3cost_reverse_0_1, slice3cost_reverse_0_2 : natural range 0 to 255;
-  signal slice3cost_reverse_0_3, slice3cost_reverse_0_4, slice3cost_reverse_0_5 : natural range 0 to 255;
-  signal slice3cost_reverse_0_6, slice3cost_reverse_0_7, slice3cost_reverse_0_8 : natural range 0 to 255;
-  signal slice3cost_reverse_0_9, slice3cost_reverse_0_10, slice3cost_reverse_0_11 : natural range 0 to 255;
-  signal slice3cost_reverse_0_12, slice3cost_reverse_0_13, slice3cost_reverse_0_14 : natural range 0 to 255;
-  signal slice3cost_reverse_0_15, slice3cost_reverse_0_16, slice3cost_reverse_0_17 : natural range 0 to 255;
-  signal slice3cost_reverse_0_18, slice3cost_reverse_0_19, slice3cost_reverse_0_20 : natural range 0 to 255;
-  signal slice3cost_reverse_0_21, slice3cost_reverse_0_22, slice3cost_reverse_0_23 : natural range 0 to 255;
-  signal slice3cost_reverse_0_24, slice3cost_single_0_0, slice3cost_single_0_1 : natural range 0 to 255;
-  signal slice3cost_single_0_2, slice3cost_single_0_3, slice3cost_single_0_4 : natural range 0 to 255;
-  signal slice3cost_single_0_5, slice3cost_single_0_6, slice3cost_single_0_7 : natural range 0 to 255;
-  signal slice3cost_single_0_8, slice3cost_single_0_9, slice3cost_single_0_10 : natural range 0 to 255;
-  signal slice3cost_single_0_11, slice3cost_single_0_12, slice3cost_single_0_13 : natural range 0 to 255;
-  signal slice3cost_single_0_14, slice3cost_single_0_15, slice3cost_single_0_16 : natural range 0 to 255;
-  signal slice3cost_single_0_17, slice3cost_single_0_18, slice3cost_single_0_19 : natural range 0 to 255;
-  signal slice3cost_single_0_20, slice3cost_single_0_21, slice3cost_single_0_22 : natural range 0 to 255;
-  signal slice3cost_single_0_23, slice3cost_single_0_24, slice3cost_single_3_0 : natural range 0 to 255;
-  signal slice3cost_single_3_1, slice3cost_single_3_2, slice3cost_single_3_3 : natural range 0 to 255;
-  signal slice3cost_single_3_4, slice3cost_single_3_5, slice3cost_single_3_6 : natural range 0 to 255;
-  signal slice3cost_single_3_7, slice3cost_single_3_8, slice3cost_single_3_9 : natural range 0 to 255;
-  signal slice3cost_single_3_10, slice3cost_single_3_11, slice3cost_single_3_12 : natural range 0 to 255;
-  signal slice3cost_single_3_13, slice3cost_single_3_14, slice3cost_single_3_15 : natural range 0 to 255;
-  signal slice3cost_single_3_16, slice3cost_single_3_17, slice3cost_single_3_18 : natural range 0 to 255;
-  signal slice3cost_single_3_19, slice3cost_single_3_20, slice3cost_single_3_21 : natural range 0 to 255;
-  signal slice3cost_single_3_22, slice3cost_single_3_23, slice3cost_single_3_24 : natural range 0 to 255;
+  signal slice3cost_signs_difference_column, slice3cost_signs_write_column : natural range 0 to 511;
   signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
   signal slice3cost_pair_0_4, slice3cost_pair_0_5, slice3cost_pair_0_6, slice3cost_pair_0_7 : natural range 0 to 511;
   signal slice3cost_pair_0_8, slice3cost_pair_0_9, slice3cost_pair_0_10, slice3cost_pair_0_11 : natural range 0 to 511;
@@ -1011,154 +1088,262 @@ architecture rtl of stereo_core_ambrosch2007_p2 is
   signal slice3cost_pair_0_18, slice3cost_pair_0_19, slice3cost_pair_0_20 : natural range 0 to 511;
   signal slice3cost_pair_0_21, slice3cost_pair_0_22, slice3cost_pair_0_23 : natural range 0 to 511;
   signal slice3cost_pair_0_24 : natural range 0 to 511;
-  signal slice3cost_negative_0_0, slice3cost_negative_0_1, slice3cost_negative_0_2, slice3cost_negative_0_3 : boolean;
-  signal slice3cost_negative_0_4, slice3cost_negative_0_5, slice3cost_negative_0_6, slice3cost_negative_0_7 : boolean;
-  signal slice3cost_negative_0_8, slice3cost_negative_0_9, slice3cost_negative_0_10, slice3cost_negative_0_11 : boolean;
-  signal slice3cost_negative_0_12, slice3cost_negative_0_13, slice3cost_negative_0_14 : boolean;
-  signal slice3cost_negative_0_15, slice3cost_negative_0_16, slice3cost_negative_0_17 : boolean;
-  signal slice3cost_negative_0_18, slice3cost_negative_0_19, slice3cost_negative_0_20 : boolean;
-  signal slice3cost_negative_0_21, slice3cost_negative_0_22, slice3cost_negative_0_23 : boolean;
-  signal slice3cost_negative_0_24, slice3cost_negative_3_0, slice3cost_negative_3_1, slice3cost_negative_3_2 : boolean;
-  signal slice3cost_negative_3_3, slice3cost_negative_3_4, slice3cost_negative_3_5, slice3cost_negative_3_6 : boolean;
-  signal slice3cost_negative_3_7, slice3cost_negative_3_8, slice3cost_negative_3_9, slice3cost_negative_3_10 : boolean;
-  signal slice3cost_negative_3_11, slice3cost_negative_3_12, slice3cost_negative_3_13 : boolean;
-  signal slice3cost_negative_3_14, slice3cost_negative_3_15, slice3cost_negative_3_16 : boolean;
-  signal slice3cost_negative_3_17, slice3cost_negative_3_18, slice3cost_negative_3_19 : boolean;
-  signal slice3cost_negative_3_20, slice3cost_negative_3_21, slice3cost_negative_3_22 : boolean;
-  signal slice3cost_negative_3_23, slice3cost_negative_3_24 : boolean;
-  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 767;
-  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 767;
-  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 767;
-  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 767;
-  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 767;
-  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 767;
-  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 767;
-  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 767;
-  signal slice3cost_column_0_24, slice3cost_column_1_0, slice3cost_column_1_1 : natural range 0 to 767;
-  signal slice3cost_column_1_2, slice3cost_column_1_3, slice3cost_column_1_4 : natural range 0 to 767;
-  signal slice3cost_column_1_5, slice3cost_column_1_6, slice3cost_column_1_7 : natural range 0 to 767;
-  signal slice3cost_column_1_8, slice3cost_column_1_9, slice3cost_column_1_10 : natural range 0 to 767;
-  signal slice3cost_column_1_11, slice3cost_column_1_12, slice3cost_column_1_13 : natural range 0 to 767;
-  signal slice3cost_column_1_14, slice3cost_column_1_15, slice3cost_column_1_16 : natural range 0 to 767;
-  signal slice3cost_column_1_17, slice3cost_column_1_18, slice3cost_column_1_19 : natural range 0 to 767;
-  signal slice3cost_column_1_20, slice3cost_column_1_21, slice3cost_column_1_22 : natural range 0 to 767;
-  signal slice3cost_column_1_23, slice3cost_column_1_24 : natural range 0 to 767;
+  signal slice3cost_signs_read_words_0, slice3cost_signs_read_words_1 : unsigned(24 downto 0);
+  signal slice3cost_signs_ready_words_0, slice3cost_signs_ready_words_1 : natural range 0 to 33554431;
+  signal slice3cost_signs_write_words_0, slice3cost_signs_write_words_1 : natural range 0 to 33554431;
+  signal slice3cost_difference_0_0, slice3cost_difference_0_1, slice3cost_difference_0_2 : natural range 0 to 255;
+  signal slice3cost_difference_0_3, slice3cost_difference_0_4, slice3cost_difference_0_5 : natural range 0 to 255;
+  signal slice3cost_difference_0_6, slice3cost_difference_0_7, slice3cost_difference_0_8 : natural range 0 to 255;
+  signal slice3cost_difference_0_9, slice3cost_difference_0_10, slice3cost_difference_0_11 : natural range 0 to 255;
+  signal slice3cost_difference_0_12, slice3cost_difference_0_13, slice3cost_difference_0_14 : natural range 0 to 255;
+  signal slice3cost_difference_0_15, slice3cost_difference_0_16, slice3cost_difference_0_17 : natural range 0 to 255;
+  signal slice3cost_difference_0_18, slice3cost_difference_0_19, slice3cost_difference_0_20 : natural range 0 to 255;
+  signal slice3cost_difference_0_21, slice3cost_difference_0_22, slice3cost_difference_0_23 : natural range 0 to 255;
+  signal slice3cost_difference_0_24, slice3cost_difference_1_0, slice3cost_difference_1_1 : natural range 0 to 255;
+  signal slice3cost_difference_1_2, slice3cost_difference_1_3, slice3cost_difference_1_4 : natural range 0 to 255;
+  signal slice3cost_difference_1_5, slice3cost_difference_1_6, slice3cost_difference_1_7 : natural range 0 to 255;
+  signal slice3cost_difference_1_8, slice3cost_difference_1_9, slice3cost_difference_1_10 : natural range 0 to 255;
+  signal slice3cost_difference_1_11, slice3cost_difference_1_12, slice3cost_difference_1_13 : natural range 0 to 255;
+  signal slice3cost_difference_1_14, slice3cost_difference_1_15, slice3cost_difference_1_16 : natural range 0 to 255;
+  signal slice3cost_difference_1_17, slice3cost_difference_1_18, slice3cost_difference_1_19 : natural range 0 to 255;
+  signal slice3cost_difference_1_20, slice3cost_difference_1_21, slice3cost_difference_1_22 : natural range 0 to 255;
+  signal slice3cost_difference_1_23, slice3cost_difference_1_24, slice3cost_single_0_0 : natural range 0 to 255;
+  signal slice3cost_single_0_1, slice3cost_single_0_2, slice3cost_single_0_3 : natural range 0 to 255;
+  signal slice3cost_single_0_4, slice3cost_single_0_5, slice3cost_single_0_6 : natural range 0 to 255;
+  signal slice3cost_single_0_7, slice3cost_single_0_8, slice3cost_single_0_9 : natural range 0 to 255;
+  signal slice3cost_single_0_10, slice3cost_single_0_11, slice3cost_single_0_12 : natural range 0 to 255;
+  signal slice3cost_single_0_13, slice3cost_single_0_14, slice3cost_single_0_15 : natural range 0 to 255;
+  signal slice3cost_single_0_16, slice3cost_single_0_17, slice3cost_single_0_18 : natural range 0 to 255;
+  signal slice3cost_single_0_19, slice3cost_single_0_20, slice3cost_single_0_21 : natural range 0 to 255;
+  signal slice3cost_single_0_22, slice3cost_single_0_23, slice3cost_single_0_24 : natural range 0 to 255;
+  signal slice3cost_single_3_0, slice3cost_single_3_1, slice3cost_single_3_2 : natural range 0 to 255;
+  signal slice3cost_single_3_3, slice3cost_single_3_4, slice3cost_single_3_5 : natural range 0 to 255;
+  signal slice3cost_single_3_6, slice3cost_single_3_7, slice3cost_single_3_8 : natural range 0 to 255;
+  signal slice3cost_single_3_9, slice3cost_single_3_10, slice3cost_single_3_11 : natural range 0 to 255;
+  signal slice3cost_single_3_12, slice3cost_single_3_13, slice3cost_single_3_14 : natural range 0 to 255;
+  signal slice3cost_single_3_15, slice3cost_single_3_16, slice3cost_single_3_17 : natural range 0 to 255;
+  signal slice3cost_single_3_18, slice3cost_single_3_19, slice3cost_single_3_20 : natural range 0 to 255;
+  signal slice3cost_single_3_21, slice3cost_single_3_22, slice3cost_single_3_23 : natural range 0 to 255;
+  signal slice3cost_single_3_24 : natural range 0 to 255;
+  signal slice3cost_difference_2_0, slice3cost_difference_2_1, slice3cost_difference_2_2 : integer range -255 to 255;
+  signal slice3cost_difference_2_3, slice3cost_difference_2_4, slice3cost_difference_2_5 : integer range -255 to 255;
+  signal slice3cost_difference_2_6, slice3cost_difference_2_7, slice3cost_difference_2_8 : integer range -255 to 255;
+  signal slice3cost_difference_2_9, slice3cost_difference_2_10, slice3cost_difference_2_11 : integer range -255 to 255;
+  signal slice3cost_difference_2_12, slice3cost_difference_2_13, slice3cost_difference_2_14 : integer range -255 to 255;
+  signal slice3cost_difference_2_15, slice3cost_difference_2_16, slice3cost_difference_2_17 : integer range -255 to 255;
+  signal slice3cost_difference_2_18, slice3cost_difference_2_19, slice3cost_difference_2_20 : integer range -255 to 255;
+  signal slice3cost_difference_2_21, slice3cost_difference_2_22, slice3cost_difference_2_23 : integer range -255 to 255;
+  signal slice3cost_difference_2_24, slice3cost_difference_3_0, slice3cost_difference_3_1 : integer range -255 to 255;
+  signal slice3cost_difference_3_2, slice3cost_difference_3_3, slice3cost_difference_3_4 : integer range -255 to 255;
+  signal slice3cost_difference_3_5, slice3cost_difference_3_6, slice3cost_difference_3_7 : integer range -255 to 255;
+  signal slice3cost_difference_3_8, slice3cost_difference_3_9, slice3cost_difference_3_10 : integer range -255 to 255;
+  signal slice3cost_difference_3_11, slice3cost_difference_3_12, slice3cost_difference_3_13 : integer range -255 to 255;
+  signal slice3cost_difference_3_14, slice3cost_difference_3_15, slice3cost_difference_3_16 : integer range -255 to 255;
+  signal slice3cost_difference_3_17, slice3cost_difference_3_18, slice3cost_difference_3_19 : integer range -255 to 255;
+  signal slice3cost_difference_3_20, slice3cost_difference_3_21, slice3cost_difference_3_22 : integer range -255 to 255;
+  signal slice3cost_difference_3_23, slice3cost_difference_3_24 : integer range -255 to 255;
+  signal slice3cost_newest_negative_0_0, slice3cost_newest_negative_0_1, slice3cost_newest_negative_0_2 : boolean;
+  signal slice3cost_newest_negative_0_3, slice3cost_newest_negative_0_4, slice3cost_newest_negative_0_5 : boolean;
+  signal slice3cost_newest_negative_0_6, slice3cost_newest_negative_0_7, slice3cost_newest_negative_0_8 : boolean;
+  signal slice3cost_newest_negative_0_9, slice3cost_newest_negative_0_10, slice3cost_newest_negative_0_11 : boolean;
+  signal slice3cost_newest_negative_0_12, slice3cost_newest_negative_0_13, slice3cost_newest_negative_0_14 : boolean;
+  signal slice3cost_newest_negative_0_15, slice3cost_newest_negative_0_16, slice3cost_newest_negative_0_17 : boolean;
+  signal slice3cost_newest_negative_0_18, slice3cost_newest_negative_0_19, slice3cost_newest_negative_0_20 : boolean;
+  signal slice3cost_newest_negative_0_21, slice3cost_newest_negative_0_22, slice3cost_newest_negative_0_23 : boolean;
+  signal slice3cost_newest_negative_0_24, slice3cost_newest_negative_1_0, slice3cost_newest_negative_1_1 : boolean;
+  signal slice3cost_newest_negative_1_2, slice3cost_newest_negative_1_3, slice3cost_newest_negative_1_4 : boolean;
+  signal slice3cost_newest_negative_1_5, slice3cost_newest_negative_1_6, slice3cost_newest_negative_1_7 : boolean;
+  signal slice3cost_newest_negative_1_8, slice3cost_newest_negative_1_9, slice3cost_newest_negative_1_10 : boolean;
+  signal slice3cost_newest_negative_1_11, slice3cost_newest_negative_1_12, slice3cost_newest_negative_1_13 : boolean;
+  signal slice3cost_newest_negative_1_14, slice3cost_newest_negative_1_15, slice3cost_newest_negative_1_16 : boolean;
+  signal slice3cost_newest_negative_1_17, slice3cost_newest_negative_1_18, slice3cost_newest_negative_1_19 : boolean;
+  signal slice3cost_newest_negative_1_20, slice3cost_newest_negative_1_21, slice3cost_newest_negative_1_22 : boolean;
+  signal slice3cost_newest_negative_1_23, slice3cost_newest_negative_1_24, slice3cost_single_negative_3_0 : boolean;
+  signal slice3cost_single_negative_3_1, slice3cost_single_negative_3_2, slice3cost_single_negative_3_3 : boolean;
+  signal slice3cost_single_negative_3_4, slice3cost_single_negative_3_5, slice3cost_single_negative_3_6 : boolean;
+  signal slice3cost_single_negative_3_7, slice3cost_single_negative_3_8, slice3cost_single_negative_3_9 : boolean;
+  signal slice3cost_single_negative_3_10, slice3cost_single_negative_3_11, slice3cost_single_negative_3_12 : boolean;
+  signal slice3cost_single_negative_3_13, slice3cost_single_negative_3_14, slice3cost_single_negative_3_15 : boolean;
+  signal slice3cost_single_negative_3_16, slice3cost_single_negative_3_17, slice3cost_single_negative_3_18 : boolean;
+  signal slice3cost_single_negative_3_19, slice3cost_single_negative_3_20, slice3cost_single_negative_3_21 : boolean;
+  signal slice3cost_single_negative_3_22, slice3cost_single_negative_3_23, slice3cost_single_negative_3_24 : boolean;
+  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 766;
+  signal slice3cost_column_0_3, slice3cost_column_0_4, slice3cost_column_0_5 : natural range 0 to 766;
+  signal slice3cost_column_0_6, slice3cost_column_0_7, slice3cost_column_0_8 : natural range 0 to 766;
+  signal slice3cost_column_0_9, slice3cost_column_0_10, slice3cost_column_0_11 : natural range 0 to 766;
+  signal slice3cost_column_0_12, slice3cost_column_0_13, slice3cost_column_0_14 : natural range 0 to 766;
+  signal slice3cost_column_0_15, slice3cost_column_0_16, slice3cost_column_0_17 : natural range 0 to 766;
+  signal slice3cost_column_0_18, slice3cost_column_0_19, slice3cost_column_0_20 : natural range 0 to 766;
+  signal slice3cost_column_0_21, slice3cost_column_0_22, slice3cost_column_0_23 : natural range 0 to 766;
+  signal slice3cost_column_0_24 : natural range 0 to 766;
+  signal slice3cost_column_1_0, slice3cost_column_1_1, slice3cost_column_1_2 : natural range 0 to 767;
+  signal slice3cost_column_1_3, slice3cost_column_1_4, slice3cost_column_1_5 : natural range 0 to 767;
+  signal slice3cost_column_1_6, slice3cost_column_1_7, slice3cost_column_1_8 : natural range 0 to 767;
+  signal slice3cost_column_1_9, slice3cost_column_1_10, slice3cost_column_1_11 : natural range 0 to 767;
+  signal slice3cost_column_1_12, slice3cost_column_1_13, slice3cost_column_1_14 : natural range 0 to 767;
+  signal slice3cost_column_1_15, slice3cost_column_1_16, slice3cost_column_1_17 : natural range 0 to 767;
+  signal slice3cost_column_1_18, slice3cost_column_1_19, slice3cost_column_1_20 : natural range 0 to 767;
+  signal slice3cost_column_1_21, slice3cost_column_1_22, slice3cost_column_1_23 : natural range 0 to 767;
+  signal slice3cost_column_1_24 : natural range 0 to 767;
   -- slice3window
-  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 767;
-  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 767;
-  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 767;
-  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 767;
-  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 767;
-  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 767;
-  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 767;
-  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 767;
-  signal slice3window_partial_0_0_24, slice3window_partial_1_0_0, slice3window_partial_1_0_1 : natural range 0 to 767;
-  signal slice3window_partial_1_0_2, slice3window_partial_1_0_3, slice3window_partial_1_0_4 : natural range 0 to 767;
-  signal slice3window_partial_1_0_5, slice3window_partial_1_0_6, slice3window_partial_1_0_7 : natural range 0 to 767;
-  signal slice3window_partial_1_0_8, slice3window_partial_1_0_9, slice3window_partial_1_0_10 : natural range 0 to 767;
-  signal slice3window_partial_1_0_11, slice3window_partial_1_0_12, slice3window_partial_1_0_13 : natural range 0 to 767;
-  signal slice3window_partial_1_0_14, slice3window_partial_1_0_15, slice3window_partial_1_0_16 : natural range 0 to 767;
-  signal slice3window_partial_1_0_17, slice3window_partial_1_0_18, slice3window_partial_1_0_19 : natural range 0 to 767;
-  signal slice3window_partial_1_0_20, slice3window_partial_1_0_21, slice3window_partial_1_0_22 : natural range 0 to 767;
-  signal slice3window_partial_1_0_23, slice3window_partial_1_0_24 : natural range 0 to 767;
-  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1534;
-  signal slice3window_partial_0_1_24, slice3window_partial_1_1_0, slice3window_partial_1_1_1 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_2, slice3window_partial_1_1_3, slice3window_partial_1_1_4 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_5, slice3window_partial_1_1_6, slice3window_partial_1_1_7 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_8, slice3window_partial_1_1_9, slice3window_partial_1_1_10 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_11, slice3window_partial_1_1_12 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_13, slice3window_partial_1_1_14 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_15, slice3window_partial_1_1_16 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_17, slice3window_partial_1_1_18 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_19, slice3window_partial_1_1_20 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_21, slice3window_partial_1_1_22 : natural range 0 to 1534;
-  signal slice3window_partial_1_1_23, slice3window_partial_1_1_24 : natural range 0 to 1534;
-  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2301;
-  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2301;
-  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2301;
-  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2301;
-  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2301;
-  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2301;
-  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2301;
-  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2301;
-  signal slice3window_sum_0_24, slice3window_sum_1_0, slice3window_sum_1_1 : natural range 0 to 2301;
-  signal slice3window_sum_1_2, slice3window_sum_1_3, slice3window_sum_1_4 : natural range 0 to 2301;
-  signal slice3window_sum_1_5, slice3window_sum_1_6, slice3window_sum_1_7 : natural range 0 to 2301;
-  signal slice3window_sum_1_8, slice3window_sum_1_9, slice3window_sum_1_10 : natural range 0 to 2301;
-  signal slice3window_sum_1_11, slice3window_sum_1_12, slice3window_sum_1_13 : natural range 0 to 2301;
-  signal slice3window_sum_1_14, slice3window_sum_1_15, slice3window_sum_1_16 : natural range 0 to 2301;
-  signal slice3window_sum_1_17, slice3window_sum_1_18, slice3window_sum_1_19 : natural range 0 to 2301;
-  signal slice3window_sum_1_20, slice3window_sum_1_21, slice3window_sum_1_22 : natural range 0 to 2301;
-  signal slice3window_sum_1_23, slice3window_sum_1_24 : natural range 0 to 2301;
+  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 766;
+  signal slice3window_partial_0_0_3, slice3window_partial_0_0_4, slice3window_partial_0_0_5 : natural range 0 to 766;
+  signal slice3window_partial_0_0_6, slice3window_partial_0_0_7, slice3window_partial_0_0_8 : natural range 0 to 766;
+  signal slice3window_partial_0_0_9, slice3window_partial_0_0_10, slice3window_partial_0_0_11 : natural range 0 to 766;
+  signal slice3window_partial_0_0_12, slice3window_partial_0_0_13, slice3window_partial_0_0_14 : natural range 0 to 766;
+  signal slice3window_partial_0_0_15, slice3window_partial_0_0_16, slice3window_partial_0_0_17 : natural range 0 to 766;
+  signal slice3window_partial_0_0_18, slice3window_partial_0_0_19, slice3window_partial_0_0_20 : natural range 0 to 766;
+  signal slice3window_partial_0_0_21, slice3window_partial_0_0_22, slice3window_partial_0_0_23 : natural range 0 to 766;
+  signal slice3window_partial_0_0_24 : natural range 0 to 766;
+  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_3, slice3window_partial_0_1_4, slice3window_partial_0_1_5 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_6, slice3window_partial_0_1_7, slice3window_partial_0_1_8 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_9, slice3window_partial_0_1_10, slice3window_partial_0_1_11 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_12, slice3window_partial_0_1_13 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_14, slice3window_partial_0_1_15 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_16, slice3window_partial_0_1_17 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_18, slice3window_partial_0_1_19 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_20, slice3window_partial_0_1_21 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_22, slice3window_partial_0_1_23 : natural range 0 to 1532;
+  signal slice3window_partial_0_1_24 : natural range 0 to 1532;
+  signal slice3window_partial_1_0_0, slice3window_partial_1_0_1, slice3window_partial_1_0_2 : natural range 0 to 767;
+  signal slice3window_partial_1_0_3, slice3window_partial_1_0_4, slice3window_partial_1_0_5 : natural range 0 to 767;
+  signal slice3window_partial_1_0_6, slice3window_partial_1_0_7, slice3window_partial_1_0_8 : natural range 0 to 767;
+  signal slice3window_partial_1_0_9, slice3window_partial_1_0_10, slice3window_partial_1_0_11 : natural range 0 to 767;
+  signal slice3window_partial_1_0_12, slice3window_partial_1_0_13, slice3window_partial_1_0_14 : natural range 0 to 767;
+  signal slice3window_partial_1_0_15, slice3window_partial_1_0_16, slice3window_partial_1_0_17 : natural range 0 to 767;
+  signal slice3window_partial_1_0_18, slice3window_partial_1_0_19, slice3window_partial_1_0_20 : natural range 0 to 767;
+  signal slice3window_partial_1_0_21, slice3window_partial_1_0_22, slice3window_partial_1_0_23 : natural range 0 to 767;
+  signal slice3window_partial_1_0_24 : natural range 0 to 767;
+  signal slice3window_partial_1_1_0, slice3window_partial_1_1_1, slice3window_partial_1_1_2 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_3, slice3window_partial_1_1_4, slice3window_partial_1_1_5 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_6, slice3window_partial_1_1_7, slice3window_partial_1_1_8 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_9, slice3window_partial_1_1_10, slice3window_partial_1_1_11 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_12, slice3window_partial_1_1_13 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_14, slice3window_partial_1_1_15 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_16, slice3window_partial_1_1_17 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_18, slice3window_partial_1_1_19 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_20, slice3window_partial_1_1_21 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_22, slice3window_partial_1_1_23 : natural range 0 to 1534;
+  signal slice3window_partial_1_1_24 : natural range 0 to 1534;
+  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 2298;
+  signal slice3window_sum_0_3, slice3window_sum_0_4, slice3window_sum_0_5 : natural range 0 to 2298;
+  signal slice3window_sum_0_6, slice3window_sum_0_7, slice3window_sum_0_8 : natural range 0 to 2298;
+  signal slice3window_sum_0_9, slice3window_sum_0_10, slice3window_sum_0_11 : natural range 0 to 2298;
+  signal slice3window_sum_0_12, slice3window_sum_0_13, slice3window_sum_0_14 : natural range 0 to 2298;
+  signal slice3window_sum_0_15, slice3window_sum_0_16, slice3window_sum_0_17 : natural range 0 to 2298;
+  signal slice3window_sum_0_18, slice3window_sum_0_19, slice3window_sum_0_20 : natural range 0 to 2298;
+  signal slice3window_sum_0_21, slice3window_sum_0_22, slice3window_sum_0_23 : natural range 0 to 2298;
+  signal slice3window_sum_0_24 : natural range 0 to 2298;
+  signal slice3window_sum_1_0, slice3window_sum_1_1, slice3window_sum_1_2 : natural range 0 to 2301;
+  signal slice3window_sum_1_3, slice3window_sum_1_4, slice3window_sum_1_5 : natural range 0 to 2301;
+  signal slice3window_sum_1_6, slice3window_sum_1_7, slice3window_sum_1_8 : natural range 0 to 2301;
+  signal slice3window_sum_1_9, slice3window_sum_1_10, slice3window_sum_1_11 : natural range 0 to 2301;
+  signal slice3window_sum_1_12, slice3window_sum_1_13, slice3window_sum_1_14 : natural range 0 to 2301;
+  signal slice3window_sum_1_15, slice3window_sum_1_16, slice3window_sum_1_17 : natural range 0 to 2301;
+  signal slice3window_sum_1_18, slice3window_sum_1_19, slice3window_sum_1_20 : natural range 0 to 2301;
+  signal slice3window_sum_1_21, slice3window_sum_1_22, slice3window_sum_1_23 : natural range 0 to 2301;
+  signal slice3window_sum_1_24 : natural range 0 to 2301;
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_8, slice3winner1_best_cost_0_9 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_10, slice3winner1_best_cost_0_11 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_0_12, slice3winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_1, slice3winner1_best_cost_1_2 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_3, slice3winner1_best_cost_1_4 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_5, slice3winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_7, slice3winner1_best_cost_1_8 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_9, slice3winner1_best_cost_1_10 : natural range 0 to 2301;
-  signal slice3winner1_best_cost_1_11, slice3winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : boolean;
-  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6, slice3winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7, slice3winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice3winner1_best_index_0_8, slice3winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice3winner1_best_index_0_9, slice3winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice3winner1_best_index_0_10, slice3winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice3winner1_best_index_0_11, slice3winner1_best_index_1_11 : natural range 0 to 23;
+  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_15, slice3winner1_of_pair_0_16, slice3winner1_of_pair_0_17 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_18, slice3winner1_of_pair_0_19, slice3winner1_of_pair_0_20 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_21, slice3winner1_of_pair_0_22, slice3winner1_of_pair_0_23 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_0_24, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_of_four_0_16 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_17, slice3winner1_of_four_0_18, slice3winner1_of_four_0_19 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_20, slice3winner1_of_four_0_21, slice3winner1_of_four_0_22 : natural range 0 to 2298;
+  signal slice3winner1_of_four_0_23, slice3winner1_of_four_0_24, slice3winner1_best_cost_0_6 : natural range 0 to 2298;
+  signal slice3winner1_of_pair_1_0, slice3winner1_of_pair_1_1, slice3winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_3, slice3winner1_of_pair_1_4, slice3winner1_of_pair_1_5 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_6, slice3winner1_of_pair_1_7, slice3winner1_of_pair_1_8 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_9, slice3winner1_of_pair_1_10, slice3winner1_of_pair_1_11 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_12, slice3winner1_of_pair_1_13, slice3winner1_of_pair_1_14 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_15, slice3winner1_of_pair_1_16, slice3winner1_of_pair_1_17 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_18, slice3winner1_of_pair_1_19, slice3winner1_of_pair_1_20 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_21, slice3winner1_of_pair_1_22, slice3winner1_of_pair_1_23 : natural range 0 to 2301;
+  signal slice3winner1_of_pair_1_24, slice3winner1_of_four_1_0, slice3winner1_of_four_1_1 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_2, slice3winner1_of_four_1_3, slice3winner1_of_four_1_4 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_5, slice3winner1_of_four_1_6, slice3winner1_of_four_1_7 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_8, slice3winner1_of_four_1_9, slice3winner1_of_four_1_10 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_11, slice3winner1_of_four_1_12, slice3winner1_of_four_1_13 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_14, slice3winner1_of_four_1_15, slice3winner1_of_four_1_16 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_17, slice3winner1_of_four_1_18, slice3winner1_of_four_1_19 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_20, slice3winner1_of_four_1_21, slice3winner1_of_four_1_22 : natural range 0 to 2301;
+  signal slice3winner1_of_four_1_23, slice3winner1_of_four_1_24, slice3winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice3winner1_pair_index_0_0, slice3winner1_pair_index_1_0 : boolean;
+  signal slice3winner1_pair_index_0_1, slice3winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice3winner1_four_index_0_0, slice3winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_0, slice3winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice3winner1_pair_index_0_2, slice3winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice3winner1_pair_index_0_3, slice3winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice3winner1_four_index_0_1, slice3winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_1, slice3winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice3winner1_pair_index_0_4, slice3winner1_pair_index_1_4 : natural range 0 to 9;
+  signal slice3winner1_pair_index_0_5, slice3winner1_pair_index_1_5 : natural range 0 to 11;
+  signal slice3winner1_four_index_0_2, slice3winner1_four_index_1_2 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_2, slice3winner1_best_index_1_2 : natural range 0 to 11;
+  signal slice3winner1_pair_index_0_6, slice3winner1_pair_index_1_6 : natural range 0 to 13;
+  signal slice3winner1_pair_index_0_7, slice3winner1_pair_index_1_7 : natural range 0 to 15;
+  signal slice3winner1_four_index_0_3, slice3winner1_four_index_1_3 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_3, slice3winner1_best_index_1_3 : natural range 0 to 15;
+  signal slice3winner1_pair_index_0_8, slice3winner1_pair_index_1_8 : natural range 0 to 17;
+  signal slice3winner1_pair_index_0_9, slice3winner1_pair_index_1_9 : natural range 0 to 19;
+  signal slice3winner1_four_index_0_4, slice3winner1_four_index_1_4 : natural range 0 to 19;
+  signal slice3winner1_best_index_0_4, slice3winner1_best_index_1_4 : natural range 0 to 19;
+  signal slice3winner1_pair_index_0_10, slice3winner1_pair_index_1_10 : natural range 0 to 21;
+  signal slice3winner1_pair_index_0_11, slice3winner1_pair_index_1_11 : natural range 0 to 23;
+  signal slice3winner1_four_index_0_5, slice3winner1_four_index_1_5 : natural range 0 to 23;
+  signal slice3winner1_best_index_0_5, slice3winner1_best_index_1_5 : natural range 0 to 23;
+  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_1_0, slice3winner1_best_cost_1_1 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_1_2, slice3winner1_best_cost_1_3 : natural range 0 to 4095;
+  signal slice3winner1_best_cost_1_4, slice3winner1_best_cost_1_5 : natural range 0 to 4095;
   -- slice3winner2
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_0_4, slice3winner2_best_cost_0_5 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_0_6, slice3winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_1, slice3winner2_best_cost_1_2 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_3, slice3winner2_best_cost_1_4 : natural range 0 to 2301;
-  signal slice3winner2_best_cost_1_5, slice3winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2, slice3winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3, slice3winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice3winner2_best_index_0_4, slice3winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice3winner2_best_index_0_5, slice3winner2_best_index_1_5 : natural range 0 to 23;
+  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 4095;
+  signal slice3winner2_of_pair_0_3, slice3winner2_of_pair_0_4, slice3winner2_of_pair_0_5 : natural range 0 to 4095;
+  signal slice3winner2_of_pair_1_0, slice3winner2_of_pair_1_1, slice3winner2_of_pair_1_2 : natural range 0 to 4095;
+  signal slice3winner2_of_pair_1_3, slice3winner2_of_pair_1_4, slice3winner2_of_pair_1_5 : natural range 0 to 4095;
+  signal slice3winner2_of_four_0_0, slice3winner2_of_four_0_1, slice3winner2_of_four_0_2 : natural range 0 to 4095;
+  signal slice3winner2_of_four_0_3, slice3winner2_of_four_0_4, slice3winner2_of_four_0_5 : natural range 0 to 4095;
+  signal slice3winner2_of_four_1_0, slice3winner2_of_four_1_1, slice3winner2_of_four_1_2 : natural range 0 to 4095;
+  signal slice3winner2_of_four_1_3, slice3winner2_of_four_1_4, slice3winner2_of_four_1_5 : natural range 0 to 4095;
+  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice3winner2_best_cost_1_0, slice3winner2_best_cost_1_1 : natural range 0 to 4095;
+  signal slice3winner2_of_pair_0_6, slice3winner2_of_four_0_6 : natural range 0 to 2298;
+  signal slice3winner2_of_pair_1_6, slice3winner2_of_four_1_6 : natural range 0 to 2301;
+  signal slice3winner2_pair_index_0_0, slice3winner2_pair_index_1_0 : natural range 0 to 7;
+  signal slice3winner2_pair_index_0_1, slice3winner2_pair_index_1_1 : natural range 0 to 15;
+  signal slice3winner2_four_index_0_0, slice3winner2_four_index_1_0 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_0, slice3winner2_best_index_1_0 : natural range 0 to 15;
+  signal slice3winner2_pair_index_0_2, slice3winner2_pair_index_1_2 : natural range 0 to 23;
+  signal slice3winner2_four_index_0_1, slice3winner2_four_index_1_1 : natural range 0 to 24;
+  signal slice3winner2_best_index_0_1, slice3winner2_best_index_1_1 : natural range 0 to 24;
   -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice3winner3_best_cost_0_2, slice3winner3_best_cost_0_3 : natural range 0 to 2301;
-  signal slice3winner3_best_cost_1_0, slice3winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner3_best_cost_1_2, slice3winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1, slice3winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice3winner3_best_index_0_2, slice3winner3_best_index_1_2 : natural range 0 to 23;
-  -- slice3winner4
-  signal slice3winner4_best_cost_0_0, slice3winner4_best_cost_0_1 : natural range 0 to 2301;
-  signal slice3winner4_best_cost_1_0, slice3winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice3winner4_best_index_0_0, slice3winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice3winner4_best_index_0_1, slice3winner4_best_index_1_1 : natural range 0 to 24;
-  -- slice3winner5
-  signal slice3winner5_best_cost_0_0, slice3winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice3winner5_best_index_0_0, slice3winner5_best_index_1_0 : natural range 0 to 24;
+  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice3winner3_best_index_0_0, slice3winner3_best_index_1_0 : natural range 0 to 24;
   -- slice3
   signal slice3_best_index_0_0, slice3_best_index_1_0 : natural range 0 to 99;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
   signal slice3_best_tag_end_of_line : boolean;
+  signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice3cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice2cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice2cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice1cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice1cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice0cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice0cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
@@ -1174,13 +1359,77 @@ begin
   disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
 
+  slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words_1, 25);
+  slice3cost_signs_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_1,
+      write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_1_memory_write_data);
+
+  slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words_0, 25);
+  slice3cost_signs_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_0,
+      write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_0_memory_write_data);
+
+  slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 25);
+  slice2cost_signs_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
+      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
+
+  slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
+  slice2cost_signs_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
+      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
+
+  slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
+  slice1cost_signs_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rows_write_column, read_data => slice1cost_signs_read_words_1,
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
+
+  slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
+  slice1cost_signs_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rows_write_column, read_data => slice1cost_signs_read_words_0,
+      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
+
+  slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
+  slice0cost_signs_read_words_1_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+
+  slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
+  slice0cost_signs_read_words_0_memory : entity work.line_memory
+    generic map (depth => 320, width => 25)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
+      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_column, write_data => rows_search_rows_read_words_0_memory_write_data);
 
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
@@ -1188,7 +1437,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      write_address => slice0cost_signs_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
   delay_delayed_0_memory : entity work.line_memory
@@ -1200,159 +1449,501 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_0_value_2, delay_row_inside_0_choice, delay_row_inside_0_choice_2 : boolean;
-    variable delay_row_inside_1_value, delay_row_inside_1_choice, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner1_best_cost_0_8_is_less : boolean;
-    variable slice0winner1_best_cost_0_9_is_less, slice0winner1_best_cost_0_10_is_less : boolean;
-    variable slice0winner1_best_cost_0_11_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
-    variable slice0winner1_best_cost_1_3_is_less, slice0winner1_best_cost_1_4_is_less : boolean;
-    variable slice0winner1_best_cost_1_5_is_less, slice0winner1_best_cost_1_6_is_less : boolean;
-    variable slice0winner1_best_cost_1_7_is_less, slice0winner1_best_cost_1_8_is_less : boolean;
-    variable slice0winner1_best_cost_1_9_is_less, slice0winner1_best_cost_1_10_is_less : boolean;
-    variable slice0winner1_best_cost_1_11_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner2_best_cost_0_4_is_less : boolean;
-    variable slice0winner2_best_cost_0_5_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_1_is_less, slice0winner2_best_cost_1_2_is_less : boolean;
-    variable slice0winner2_best_cost_1_3_is_less, slice0winner2_best_cost_1_4_is_less : boolean;
-    variable slice0winner2_best_cost_1_5_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less, slice0winner3_best_cost_0_2_is_less : boolean;
-    variable slice0winner3_best_cost_1_0_is_less, slice0winner3_best_cost_1_1_is_less : boolean;
-    variable slice0winner3_best_cost_1_2_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice0winner4_best_cost_0_1_is_less, slice0winner4_best_cost_1_0_is_less : boolean;
-    variable slice0winner4_best_cost_1_1_is_less, slice0winner5_best_cost_0_0_is_less : boolean;
-    variable slice0winner5_best_cost_1_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner1_best_cost_0_7_is_less, slice1winner1_best_cost_0_8_is_less : boolean;
-    variable slice1winner1_best_cost_0_9_is_less, slice1winner1_best_cost_0_10_is_less : boolean;
-    variable slice1winner1_best_cost_0_11_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
-    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_1_4_is_less : boolean;
-    variable slice1winner1_best_cost_1_5_is_less, slice1winner1_best_cost_1_6_is_less : boolean;
-    variable slice1winner1_best_cost_1_7_is_less, slice1winner1_best_cost_1_8_is_less : boolean;
-    variable slice1winner1_best_cost_1_9_is_less, slice1winner1_best_cost_1_10_is_less : boolean;
-    variable slice1winner1_best_cost_1_11_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_3_is_less, slice1winner2_best_cost_0_4_is_less : boolean;
-    variable slice1winner2_best_cost_0_5_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_1_2_is_less : boolean;
-    variable slice1winner2_best_cost_1_3_is_less, slice1winner2_best_cost_1_4_is_less : boolean;
-    variable slice1winner2_best_cost_1_5_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_1_is_less, slice1winner3_best_cost_0_2_is_less : boolean;
-    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_1_1_is_less : boolean;
-    variable slice1winner3_best_cost_1_2_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
-    variable slice1winner4_best_cost_0_1_is_less, slice1winner4_best_cost_1_0_is_less : boolean;
-    variable slice1winner4_best_cost_1_1_is_less, slice1winner5_best_cost_0_0_is_less : boolean;
-    variable slice1winner5_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
-    variable slice2winner1_best_cost_0_2_is_less, slice2winner1_best_cost_0_3_is_less : boolean;
-    variable slice2winner1_best_cost_0_4_is_less, slice2winner1_best_cost_0_5_is_less : boolean;
-    variable slice2winner1_best_cost_0_6_is_less, slice2winner1_best_cost_0_7_is_less : boolean;
-    variable slice2winner1_best_cost_0_8_is_less, slice2winner1_best_cost_0_9_is_less : boolean;
-    variable slice2winner1_best_cost_0_10_is_less, slice2winner1_best_cost_0_11_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_1_1_is_less : boolean;
-    variable slice2winner1_best_cost_1_2_is_less, slice2winner1_best_cost_1_3_is_less : boolean;
-    variable slice2winner1_best_cost_1_4_is_less, slice2winner1_best_cost_1_5_is_less : boolean;
-    variable slice2winner1_best_cost_1_6_is_less, slice2winner1_best_cost_1_7_is_less : boolean;
-    variable slice2winner1_best_cost_1_8_is_less, slice2winner1_best_cost_1_9_is_less : boolean;
-    variable slice2winner1_best_cost_1_10_is_less, slice2winner1_best_cost_1_11_is_less : boolean;
-    variable slice2winner2_best_cost_0_0_is_less, slice2winner2_best_cost_0_1_is_less : boolean;
-    variable slice2winner2_best_cost_0_2_is_less, slice2winner2_best_cost_0_3_is_less : boolean;
-    variable slice2winner2_best_cost_0_4_is_less, slice2winner2_best_cost_0_5_is_less : boolean;
-    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_1_1_is_less : boolean;
-    variable slice2winner2_best_cost_1_2_is_less, slice2winner2_best_cost_1_3_is_less : boolean;
-    variable slice2winner2_best_cost_1_4_is_less, slice2winner2_best_cost_1_5_is_less : boolean;
-    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_0_1_is_less : boolean;
-    variable slice2winner3_best_cost_0_2_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
-    variable slice2winner3_best_cost_1_1_is_less, slice2winner3_best_cost_1_2_is_less : boolean;
-    variable slice2winner4_best_cost_0_0_is_less, slice2winner4_best_cost_0_1_is_less : boolean;
-    variable slice2winner4_best_cost_1_0_is_less, slice2winner4_best_cost_1_1_is_less : boolean;
-    variable slice2winner5_best_cost_0_0_is_less, slice2winner5_best_cost_1_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
-    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
-    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
-    variable slice3winner1_best_cost_0_7_is_less, slice3winner1_best_cost_0_8_is_less : boolean;
-    variable slice3winner1_best_cost_0_9_is_less, slice3winner1_best_cost_0_10_is_less : boolean;
-    variable slice3winner1_best_cost_0_11_is_less, slice3winner1_best_cost_1_0_is_less : boolean;
-    variable slice3winner1_best_cost_1_1_is_less, slice3winner1_best_cost_1_2_is_less : boolean;
-    variable slice3winner1_best_cost_1_3_is_less, slice3winner1_best_cost_1_4_is_less : boolean;
-    variable slice3winner1_best_cost_1_5_is_less, slice3winner1_best_cost_1_6_is_less : boolean;
-    variable slice3winner1_best_cost_1_7_is_less, slice3winner1_best_cost_1_8_is_less : boolean;
-    variable slice3winner1_best_cost_1_9_is_less, slice3winner1_best_cost_1_10_is_less : boolean;
-    variable slice3winner1_best_cost_1_11_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
-    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
-    variable slice3winner2_best_cost_0_3_is_less, slice3winner2_best_cost_0_4_is_less : boolean;
-    variable slice3winner2_best_cost_0_5_is_less, slice3winner2_best_cost_1_0_is_less : boolean;
-    variable slice3winner2_best_cost_1_1_is_less, slice3winner2_best_cost_1_2_is_less : boolean;
-    variable slice3winner2_best_cost_1_3_is_less, slice3winner2_best_cost_1_4_is_less : boolean;
-    variable slice3winner2_best_cost_1_5_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
-    variable slice3winner3_best_cost_0_1_is_less, slice3winner3_best_cost_0_2_is_less : boolean;
-    variable slice3winner3_best_cost_1_0_is_less, slice3winner3_best_cost_1_1_is_less : boolean;
-    variable slice3winner3_best_cost_1_2_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
-    variable slice3winner4_best_cost_0_1_is_less, slice3winner4_best_cost_1_0_is_less : boolean;
-    variable slice3winner4_best_cost_1_1_is_less, slice3winner5_best_cost_0_0_is_less : boolean;
-    variable slice3winner5_best_cost_1_0_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_0_value_2, delay_row_inside_0_choice : boolean;
+    variable delay_row_inside_1_value, delay_row_inside_1_choice, delay_tag_newest_inside_is_not_less : boolean;
+    variable delay_tag_newest_inside_is_less, slice0cost_difference_0_1_value : boolean;
+    variable slice0cost_difference_0_2_value, slice0cost_difference_0_3_value : boolean;
+    variable slice0cost_difference_0_4_value, slice0cost_difference_0_5_value : boolean;
+    variable slice0cost_difference_0_6_value, slice0cost_difference_0_7_value : boolean;
+    variable slice0cost_difference_0_8_value, slice0cost_difference_0_9_value : boolean;
+    variable slice0cost_difference_0_10_value, slice0cost_difference_0_11_value : boolean;
+    variable slice0cost_difference_0_12_value, slice0cost_difference_0_13_value : boolean;
+    variable slice0cost_difference_0_14_value, slice0cost_difference_0_15_value : boolean;
+    variable slice0cost_difference_0_16_value, slice0cost_difference_0_17_value : boolean;
+    variable slice0cost_difference_0_18_value, slice0cost_difference_0_19_value : boolean;
+    variable slice0cost_difference_0_20_value, slice0cost_difference_0_21_value : boolean;
+    variable slice0cost_difference_0_22_value, slice0cost_difference_0_23_value : boolean;
+    variable slice0cost_difference_1_1_value, slice0cost_difference_1_2_value : boolean;
+    variable slice0cost_difference_1_3_value, slice0cost_difference_1_4_value : boolean;
+    variable slice0cost_difference_1_5_value, slice0cost_difference_1_6_value : boolean;
+    variable slice0cost_difference_1_7_value, slice0cost_difference_1_8_value : boolean;
+    variable slice0cost_difference_1_9_value, slice0cost_difference_1_10_value : boolean;
+    variable slice0cost_difference_1_11_value, slice0cost_difference_1_12_value : boolean;
+    variable slice0cost_difference_1_13_value, slice0cost_difference_1_14_value : boolean;
+    variable slice0cost_difference_1_15_value, slice0cost_difference_1_16_value : boolean;
+    variable slice0cost_difference_1_17_value, slice0cost_difference_1_18_value : boolean;
+    variable slice0cost_difference_1_19_value, slice0cost_difference_1_20_value : boolean;
+    variable slice0cost_difference_1_21_value, slice0cost_difference_1_22_value : boolean;
+    variable slice0cost_difference_1_23_value, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
+    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
+    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
+    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
+    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_2_is_less, slice0winner1_of_pair_1_4_is_less : boolean;
+    variable slice0winner1_of_pair_1_6_is_less, slice0winner1_of_pair_1_8_is_less : boolean;
+    variable slice0winner1_of_pair_1_10_is_less, slice0winner1_of_pair_1_12_is_less : boolean;
+    variable slice0winner1_of_pair_1_14_is_less, slice0winner1_of_pair_1_16_is_less : boolean;
+    variable slice0winner1_of_pair_1_18_is_less, slice0winner1_of_pair_1_20_is_less : boolean;
+    variable slice0winner1_of_pair_1_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
+    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
+    variable slice0winner1_of_four_0_20_is_less, slice0winner1_of_four_1_0_is_less : boolean;
+    variable slice0winner1_of_four_1_4_is_less, slice0winner1_of_four_1_8_is_less : boolean;
+    variable slice0winner1_of_four_1_12_is_less, slice0winner1_of_four_1_16_is_less : boolean;
+    variable slice0winner1_of_four_1_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
+    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
+    variable slice0winner2_of_pair_1_0_is_less, slice0winner2_of_pair_1_2_is_less : boolean;
+    variable slice0winner2_of_pair_1_4_is_less, slice0winner2_of_four_0_0_is_less : boolean;
+    variable slice0winner2_of_four_0_4_is_less, slice0winner2_of_four_1_0_is_less : boolean;
+    variable slice0winner2_of_four_1_4_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_1_0_is_less, slice1cost_difference_0_1_value : boolean;
+    variable slice1cost_difference_0_2_value, slice1cost_difference_0_3_value : boolean;
+    variable slice1cost_difference_0_4_value, slice1cost_difference_0_5_value : boolean;
+    variable slice1cost_difference_0_6_value, slice1cost_difference_0_7_value : boolean;
+    variable slice1cost_difference_0_8_value, slice1cost_difference_0_9_value : boolean;
+    variable slice1cost_difference_0_10_value, slice1cost_difference_0_11_value : boolean;
+    variable slice1cost_difference_0_12_value, slice1cost_difference_0_13_value : boolean;
+    variable slice1cost_difference_0_14_value, slice1cost_difference_0_15_value : boolean;
+    variable slice1cost_difference_0_16_value, slice1cost_difference_0_17_value : boolean;
+    variable slice1cost_difference_0_18_value, slice1cost_difference_0_19_value : boolean;
+    variable slice1cost_difference_0_20_value, slice1cost_difference_0_21_value : boolean;
+    variable slice1cost_difference_0_22_value, slice1cost_difference_0_23_value : boolean;
+    variable slice1cost_difference_1_1_value, slice1cost_difference_1_2_value : boolean;
+    variable slice1cost_difference_1_3_value, slice1cost_difference_1_4_value : boolean;
+    variable slice1cost_difference_1_5_value, slice1cost_difference_1_6_value : boolean;
+    variable slice1cost_difference_1_7_value, slice1cost_difference_1_8_value : boolean;
+    variable slice1cost_difference_1_9_value, slice1cost_difference_1_10_value : boolean;
+    variable slice1cost_difference_1_11_value, slice1cost_difference_1_12_value : boolean;
+    variable slice1cost_difference_1_13_value, slice1cost_difference_1_14_value : boolean;
+    variable slice1cost_difference_1_15_value, slice1cost_difference_1_16_value : boolean;
+    variable slice1cost_difference_1_17_value, slice1cost_difference_1_18_value : boolean;
+    variable slice1cost_difference_1_19_value, slice1cost_difference_1_20_value : boolean;
+    variable slice1cost_difference_1_21_value, slice1cost_difference_1_22_value : boolean;
+    variable slice1cost_difference_1_23_value, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
+    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
+    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_pair_0_16_is_less : boolean;
+    variable slice1winner1_of_pair_0_18_is_less, slice1winner1_of_pair_0_20_is_less : boolean;
+    variable slice1winner1_of_pair_0_22_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_2_is_less, slice1winner1_of_pair_1_4_is_less : boolean;
+    variable slice1winner1_of_pair_1_6_is_less, slice1winner1_of_pair_1_8_is_less : boolean;
+    variable slice1winner1_of_pair_1_10_is_less, slice1winner1_of_pair_1_12_is_less : boolean;
+    variable slice1winner1_of_pair_1_14_is_less, slice1winner1_of_pair_1_16_is_less : boolean;
+    variable slice1winner1_of_pair_1_18_is_less, slice1winner1_of_pair_1_20_is_less : boolean;
+    variable slice1winner1_of_pair_1_22_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
+    variable slice1winner1_of_four_0_12_is_less, slice1winner1_of_four_0_16_is_less : boolean;
+    variable slice1winner1_of_four_0_20_is_less, slice1winner1_of_four_1_0_is_less : boolean;
+    variable slice1winner1_of_four_1_4_is_less, slice1winner1_of_four_1_8_is_less : boolean;
+    variable slice1winner1_of_four_1_12_is_less, slice1winner1_of_four_1_16_is_less : boolean;
+    variable slice1winner1_of_four_1_20_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
+    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_pair_0_4_is_less : boolean;
+    variable slice1winner2_of_pair_1_0_is_less, slice1winner2_of_pair_1_2_is_less : boolean;
+    variable slice1winner2_of_pair_1_4_is_less, slice1winner2_of_four_0_0_is_less : boolean;
+    variable slice1winner2_of_four_0_4_is_less, slice1winner2_of_four_1_0_is_less : boolean;
+    variable slice1winner2_of_four_1_4_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2cost_difference_0_1_value, slice2cost_difference_0_2_value : boolean;
+    variable slice2cost_difference_0_3_value, slice2cost_difference_0_4_value : boolean;
+    variable slice2cost_difference_0_5_value, slice2cost_difference_0_6_value : boolean;
+    variable slice2cost_difference_0_7_value, slice2cost_difference_0_8_value : boolean;
+    variable slice2cost_difference_0_9_value, slice2cost_difference_0_10_value : boolean;
+    variable slice2cost_difference_0_11_value, slice2cost_difference_0_12_value : boolean;
+    variable slice2cost_difference_0_13_value, slice2cost_difference_0_14_value : boolean;
+    variable slice2cost_difference_0_15_value, slice2cost_difference_0_16_value : boolean;
+    variable slice2cost_difference_0_17_value, slice2cost_difference_0_18_value : boolean;
+    variable slice2cost_difference_0_19_value, slice2cost_difference_0_20_value : boolean;
+    variable slice2cost_difference_0_21_value, slice2cost_difference_0_22_value : boolean;
+    variable slice2cost_difference_0_23_value, slice2cost_difference_1_1_value : boolean;
+    variable slice2cost_difference_1_2_value, slice2cost_difference_1_3_value : boolean;
+    variable slice2cost_difference_1_4_value, slice2cost_difference_1_5_value : boolean;
+    variable slice2cost_difference_1_6_value, slice2cost_difference_1_7_value : boolean;
+    variable slice2cost_difference_1_8_value, slice2cost_difference_1_9_value : boolean;
+    variable slice2cost_difference_1_10_value, slice2cost_difference_1_11_value : boolean;
+    variable slice2cost_difference_1_12_value, slice2cost_difference_1_13_value : boolean;
+    variable slice2cost_difference_1_14_value, slice2cost_difference_1_15_value : boolean;
+    variable slice2cost_difference_1_16_value, slice2cost_difference_1_17_value : boolean;
+    variable slice2cost_difference_1_18_value, slice2cost_difference_1_19_value : boolean;
+    variable slice2cost_difference_1_20_value, slice2cost_difference_1_21_value : boolean;
+    variable slice2cost_difference_1_22_value, slice2cost_difference_1_23_value : boolean;
+    variable slice2winner1_of_pair_0_0_is_less, slice2winner1_of_pair_0_2_is_less : boolean;
+    variable slice2winner1_of_pair_0_4_is_less, slice2winner1_of_pair_0_6_is_less : boolean;
+    variable slice2winner1_of_pair_0_8_is_less, slice2winner1_of_pair_0_10_is_less : boolean;
+    variable slice2winner1_of_pair_0_12_is_less, slice2winner1_of_pair_0_14_is_less : boolean;
+    variable slice2winner1_of_pair_0_16_is_less, slice2winner1_of_pair_0_18_is_less : boolean;
+    variable slice2winner1_of_pair_0_20_is_less, slice2winner1_of_pair_0_22_is_less : boolean;
+    variable slice2winner1_of_pair_1_0_is_less, slice2winner1_of_pair_1_2_is_less : boolean;
+    variable slice2winner1_of_pair_1_4_is_less, slice2winner1_of_pair_1_6_is_less : boolean;
+    variable slice2winner1_of_pair_1_8_is_less, slice2winner1_of_pair_1_10_is_less : boolean;
+    variable slice2winner1_of_pair_1_12_is_less, slice2winner1_of_pair_1_14_is_less : boolean;
+    variable slice2winner1_of_pair_1_16_is_less, slice2winner1_of_pair_1_18_is_less : boolean;
+    variable slice2winner1_of_pair_1_20_is_less, slice2winner1_of_pair_1_22_is_less : boolean;
+    variable slice2winner1_of_four_0_0_is_less, slice2winner1_of_four_0_4_is_less : boolean;
+    variable slice2winner1_of_four_0_8_is_less, slice2winner1_of_four_0_12_is_less : boolean;
+    variable slice2winner1_of_four_0_16_is_less, slice2winner1_of_four_0_20_is_less : boolean;
+    variable slice2winner1_of_four_1_0_is_less, slice2winner1_of_four_1_4_is_less : boolean;
+    variable slice2winner1_of_four_1_8_is_less, slice2winner1_of_four_1_12_is_less : boolean;
+    variable slice2winner1_of_four_1_16_is_less, slice2winner1_of_four_1_20_is_less : boolean;
+    variable slice2winner2_of_pair_0_0_is_less, slice2winner2_of_pair_0_2_is_less : boolean;
+    variable slice2winner2_of_pair_0_4_is_less, slice2winner2_of_pair_1_0_is_less : boolean;
+    variable slice2winner2_of_pair_1_2_is_less, slice2winner2_of_pair_1_4_is_less : boolean;
+    variable slice2winner2_of_four_0_0_is_less, slice2winner2_of_four_0_4_is_less : boolean;
+    variable slice2winner2_of_four_1_0_is_less, slice2winner2_of_four_1_4_is_less : boolean;
+    variable slice2winner3_best_cost_0_0_is_less, slice2winner3_best_cost_1_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, slice3cost_difference_0_1_value : boolean;
+    variable slice3cost_difference_0_2_value, slice3cost_difference_0_3_value : boolean;
+    variable slice3cost_difference_0_4_value, slice3cost_difference_0_5_value : boolean;
+    variable slice3cost_difference_0_6_value, slice3cost_difference_0_7_value : boolean;
+    variable slice3cost_difference_0_8_value, slice3cost_difference_0_9_value : boolean;
+    variable slice3cost_difference_0_10_value, slice3cost_difference_0_11_value : boolean;
+    variable slice3cost_difference_0_12_value, slice3cost_difference_0_13_value : boolean;
+    variable slice3cost_difference_0_14_value, slice3cost_difference_0_15_value : boolean;
+    variable slice3cost_difference_0_16_value, slice3cost_difference_0_17_value : boolean;
+    variable slice3cost_difference_0_18_value, slice3cost_difference_0_19_value : boolean;
+    variable slice3cost_difference_0_20_value, slice3cost_difference_0_21_value : boolean;
+    variable slice3cost_difference_0_22_value, slice3cost_difference_0_23_value : boolean;
+    variable slice3cost_difference_1_1_value, slice3cost_difference_1_2_value : boolean;
+    variable slice3cost_difference_1_3_value, slice3cost_difference_1_4_value : boolean;
+    variable slice3cost_difference_1_5_value, slice3cost_difference_1_6_value : boolean;
+    variable slice3cost_difference_1_7_value, slice3cost_difference_1_8_value : boolean;
+    variable slice3cost_difference_1_9_value, slice3cost_difference_1_10_value : boolean;
+    variable slice3cost_difference_1_11_value, slice3cost_difference_1_12_value : boolean;
+    variable slice3cost_difference_1_13_value, slice3cost_difference_1_14_value : boolean;
+    variable slice3cost_difference_1_15_value, slice3cost_difference_1_16_value : boolean;
+    variable slice3cost_difference_1_17_value, slice3cost_difference_1_18_value : boolean;
+    variable slice3cost_difference_1_19_value, slice3cost_difference_1_20_value : boolean;
+    variable slice3cost_difference_1_21_value, slice3cost_difference_1_22_value : boolean;
+    variable slice3cost_difference_1_23_value, slice3winner1_of_pair_0_0_is_less : boolean;
+    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
+    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
+    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
+    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_pair_0_16_is_less : boolean;
+    variable slice3winner1_of_pair_0_18_is_less, slice3winner1_of_pair_0_20_is_less : boolean;
+    variable slice3winner1_of_pair_0_22_is_less, slice3winner1_of_pair_1_0_is_less : boolean;
+    variable slice3winner1_of_pair_1_2_is_less, slice3winner1_of_pair_1_4_is_less : boolean;
+    variable slice3winner1_of_pair_1_6_is_less, slice3winner1_of_pair_1_8_is_less : boolean;
+    variable slice3winner1_of_pair_1_10_is_less, slice3winner1_of_pair_1_12_is_less : boolean;
+    variable slice3winner1_of_pair_1_14_is_less, slice3winner1_of_pair_1_16_is_less : boolean;
+    variable slice3winner1_of_pair_1_18_is_less, slice3winner1_of_pair_1_20_is_less : boolean;
+    variable slice3winner1_of_pair_1_22_is_less, slice3winner1_of_four_0_0_is_less : boolean;
+    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
+    variable slice3winner1_of_four_0_12_is_less, slice3winner1_of_four_0_16_is_less : boolean;
+    variable slice3winner1_of_four_0_20_is_less, slice3winner1_of_four_1_0_is_less : boolean;
+    variable slice3winner1_of_four_1_4_is_less, slice3winner1_of_four_1_8_is_less : boolean;
+    variable slice3winner1_of_four_1_12_is_less, slice3winner1_of_four_1_16_is_less : boolean;
+    variable slice3winner1_of_four_1_20_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
+    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_pair_0_4_is_less : boolean;
+    variable slice3winner2_of_pair_1_0_is_less, slice3winner2_of_pair_1_2_is_less : boolean;
+    variable slice3winner2_of_pair_1_4_is_less, slice3winner2_of_four_0_0_is_less : boolean;
+    variable slice3winner2_of_four_0_4_is_less, slice3winner2_of_four_1_0_is_less : boolean;
+    variable slice3winner2_of_four_1_4_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
+    variable slice3winner3_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice, delay_row_inside_0_value : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_8_choice, slice0cost_pair_0_9_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_10_choice, slice0cost_pair_0_11_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_12_choice, slice0cost_pair_0_13_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_14_choice, slice0cost_pair_0_15_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_16_choice, slice0cost_pair_0_17_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_18_choice, slice0cost_pair_0_19_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_20_choice, slice0cost_pair_0_21_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_22_choice, slice0cost_pair_0_23_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_24_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_3_choice, slice1cost_pair_0_4_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_5_choice, slice1cost_pair_0_6_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_7_choice, slice1cost_pair_0_8_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_9_choice, slice1cost_pair_0_10_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_11_choice, slice1cost_pair_0_12_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_13_choice, slice1cost_pair_0_14_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_15_choice, slice1cost_pair_0_16_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_17_choice, slice1cost_pair_0_18_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_19_choice, slice1cost_pair_0_20_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_21_choice, slice1cost_pair_0_22_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_23_choice, slice1cost_pair_0_24_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_2_choice, slice2cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_4_choice, slice2cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_6_choice, slice2cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_8_choice, slice2cost_pair_0_9_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_10_choice, slice2cost_pair_0_11_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_12_choice, slice2cost_pair_0_13_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_14_choice, slice2cost_pair_0_15_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_16_choice, slice2cost_pair_0_17_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_18_choice, slice2cost_pair_0_19_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_20_choice, slice2cost_pair_0_21_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_22_choice, slice2cost_pair_0_23_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_24_choice, slice3cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_1_choice, slice3cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_3_choice, slice3cost_pair_0_4_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_5_choice, slice3cost_pair_0_6_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_7_choice, slice3cost_pair_0_8_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_9_choice, slice3cost_pair_0_10_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_11_choice, slice3cost_pair_0_12_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_13_choice, slice3cost_pair_0_14_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_15_choice, slice3cost_pair_0_16_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_17_choice, slice3cost_pair_0_18_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_19_choice, slice3cost_pair_0_20_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_21_choice, slice3cost_pair_0_22_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_23_choice, slice3cost_pair_0_24_choice : natural range 0 to 255;
+    variable slice0cost_difference_0_0_choice, slice0cost_difference_0_0_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_1_choice, slice0cost_difference_0_1_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_2_choice, slice0cost_difference_0_2_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_3_choice, slice0cost_difference_0_3_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_4_choice, slice0cost_difference_0_4_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_5_choice, slice0cost_difference_0_5_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_6_choice, slice0cost_difference_0_6_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_7_choice, slice0cost_difference_0_7_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_8_choice, slice0cost_difference_0_8_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_9_choice, slice0cost_difference_0_9_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_10_choice, slice0cost_difference_0_10_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_11_choice, slice0cost_difference_0_11_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_12_choice, slice0cost_difference_0_12_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_13_choice, slice0cost_difference_0_13_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_14_choice, slice0cost_difference_0_14_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_15_choice, slice0cost_difference_0_15_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_16_choice, slice0cost_difference_0_16_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_17_choice, slice0cost_difference_0_17_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_18_choice, slice0cost_difference_0_18_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_19_choice, slice0cost_difference_0_19_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_20_choice, slice0cost_difference_0_20_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_21_choice, slice0cost_difference_0_21_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_22_choice, slice0cost_difference_0_22_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_23_choice, slice0cost_difference_0_23_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_0_24_choice, slice0cost_difference_0_24_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_0_choice, slice0cost_difference_1_0_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_1_choice, slice0cost_difference_1_1_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_2_choice, slice0cost_difference_1_2_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_3_choice, slice0cost_difference_1_3_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_4_choice, slice0cost_difference_1_4_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_5_choice, slice0cost_difference_1_5_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_6_choice, slice0cost_difference_1_6_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_7_choice, slice0cost_difference_1_7_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_8_choice, slice0cost_difference_1_8_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_9_choice, slice0cost_difference_1_9_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_10_choice, slice0cost_difference_1_10_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_11_choice, slice0cost_difference_1_11_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_12_choice, slice0cost_difference_1_12_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_13_choice, slice0cost_difference_1_13_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_14_choice, slice0cost_difference_1_14_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_15_choice, slice0cost_difference_1_15_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_16_choice, slice0cost_difference_1_16_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_17_choice, slice0cost_difference_1_17_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_18_choice, slice0cost_difference_1_18_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_19_choice, slice0cost_difference_1_19_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_20_choice, slice0cost_difference_1_20_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_21_choice, slice0cost_difference_1_21_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_22_choice, slice0cost_difference_1_22_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_23_choice, slice0cost_difference_1_23_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_1_24_choice, slice0cost_difference_1_24_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_0_choice, slice1cost_difference_0_0_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_1_choice, slice1cost_difference_0_1_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_2_choice, slice1cost_difference_0_2_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_3_choice, slice1cost_difference_0_3_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_4_choice, slice1cost_difference_0_4_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_5_choice, slice1cost_difference_0_5_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_6_choice, slice1cost_difference_0_6_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_7_choice, slice1cost_difference_0_7_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_8_choice, slice1cost_difference_0_8_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_9_choice, slice1cost_difference_0_9_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_10_choice, slice1cost_difference_0_10_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_11_choice, slice1cost_difference_0_11_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_12_choice, slice1cost_difference_0_12_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_13_choice, slice1cost_difference_0_13_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_14_choice, slice1cost_difference_0_14_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_15_choice, slice1cost_difference_0_15_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_16_choice, slice1cost_difference_0_16_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_17_choice, slice1cost_difference_0_17_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_18_choice, slice1cost_difference_0_18_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_19_choice, slice1cost_difference_0_19_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_20_choice, slice1cost_difference_0_20_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_21_choice, slice1cost_difference_0_21_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_22_choice, slice1cost_difference_0_22_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_23_choice, slice1cost_difference_0_23_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_0_24_choice, slice1cost_difference_0_24_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_0_choice, slice1cost_difference_1_0_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_1_choice, slice1cost_difference_1_1_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_2_choice, slice1cost_difference_1_2_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_3_choice, slice1cost_difference_1_3_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_4_choice, slice1cost_difference_1_4_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_5_choice, slice1cost_difference_1_5_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_6_choice, slice1cost_difference_1_6_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_7_choice, slice1cost_difference_1_7_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_8_choice, slice1cost_difference_1_8_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_9_choice, slice1cost_difference_1_9_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_10_choice, slice1cost_difference_1_10_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_11_choice, slice1cost_difference_1_11_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_12_choice, slice1cost_difference_1_12_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_13_choice, slice1cost_difference_1_13_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_14_choice, slice1cost_difference_1_14_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_15_choice, slice1cost_difference_1_15_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_16_choice, slice1cost_difference_1_16_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_17_choice, slice1cost_difference_1_17_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_18_choice, slice1cost_difference_1_18_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_19_choice, slice1cost_difference_1_19_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_20_choice, slice1cost_difference_1_20_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_21_choice, slice1cost_difference_1_21_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_22_choice, slice1cost_difference_1_22_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_23_choice, slice1cost_difference_1_23_choice_2 : natural range 0 to 255;
+    variable slice1cost_difference_1_24_choice, slice1cost_difference_1_24_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_0_choice, slice2cost_difference_0_0_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_1_choice, slice2cost_difference_0_1_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_2_choice, slice2cost_difference_0_2_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_3_choice, slice2cost_difference_0_3_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_4_choice, slice2cost_difference_0_4_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_5_choice, slice2cost_difference_0_5_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_6_choice, slice2cost_difference_0_6_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_7_choice, slice2cost_difference_0_7_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_8_choice, slice2cost_difference_0_8_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_9_choice, slice2cost_difference_0_9_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_10_choice, slice2cost_difference_0_10_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_11_choice, slice2cost_difference_0_11_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_12_choice, slice2cost_difference_0_12_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_13_choice, slice2cost_difference_0_13_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_14_choice, slice2cost_difference_0_14_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_15_choice, slice2cost_difference_0_15_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_16_choice, slice2cost_difference_0_16_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_17_choice, slice2cost_difference_0_17_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_18_choice, slice2cost_difference_0_18_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_19_choice, slice2cost_difference_0_19_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_20_choice, slice2cost_difference_0_20_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_21_choice, slice2cost_difference_0_21_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_22_choice, slice2cost_difference_0_22_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_23_choice, slice2cost_difference_0_23_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_0_24_choice, slice2cost_difference_0_24_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_0_choice, slice2cost_difference_1_0_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_1_choice, slice2cost_difference_1_1_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_2_choice, slice2cost_difference_1_2_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_3_choice, slice2cost_difference_1_3_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_4_choice, slice2cost_difference_1_4_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_5_choice, slice2cost_difference_1_5_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_6_choice, slice2cost_difference_1_6_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_7_choice, slice2cost_difference_1_7_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_8_choice, slice2cost_difference_1_8_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_9_choice, slice2cost_difference_1_9_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_10_choice, slice2cost_difference_1_10_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_11_choice, slice2cost_difference_1_11_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_12_choice, slice2cost_difference_1_12_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_13_choice, slice2cost_difference_1_13_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_14_choice, slice2cost_difference_1_14_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_15_choice, slice2cost_difference_1_15_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_16_choice, slice2cost_difference_1_16_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_17_choice, slice2cost_difference_1_17_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_18_choice, slice2cost_difference_1_18_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_19_choice, slice2cost_difference_1_19_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_20_choice, slice2cost_difference_1_20_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_21_choice, slice2cost_difference_1_21_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_22_choice, slice2cost_difference_1_22_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_23_choice, slice2cost_difference_1_23_choice_2 : natural range 0 to 255;
+    variable slice2cost_difference_1_24_choice, slice2cost_difference_1_24_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_0_choice, slice3cost_difference_0_0_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_1_choice, slice3cost_difference_0_1_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_2_choice, slice3cost_difference_0_2_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_3_choice, slice3cost_difference_0_3_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_4_choice, slice3cost_difference_0_4_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_5_choice, slice3cost_difference_0_5_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_6_choice, slice3cost_difference_0_6_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_7_choice, slice3cost_difference_0_7_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_8_choice, slice3cost_difference_0_8_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_9_choice, slice3cost_difference_0_9_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_10_choice, slice3cost_difference_0_10_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_11_choice, slice3cost_difference_0_11_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_12_choice, slice3cost_difference_0_12_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_13_choice, slice3cost_difference_0_13_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_14_choice, slice3cost_difference_0_14_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_15_choice, slice3cost_difference_0_15_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_16_choice, slice3cost_difference_0_16_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_17_choice, slice3cost_difference_0_17_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_18_choice, slice3cost_difference_0_18_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_19_choice, slice3cost_difference_0_19_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_20_choice, slice3cost_difference_0_20_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_21_choice, slice3cost_difference_0_21_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_22_choice, slice3cost_difference_0_22_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_23_choice, slice3cost_difference_0_23_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_0_24_choice, slice3cost_difference_0_24_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_0_choice, slice3cost_difference_1_0_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_1_choice, slice3cost_difference_1_1_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_2_choice, slice3cost_difference_1_2_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_3_choice, slice3cost_difference_1_3_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_4_choice, slice3cost_difference_1_4_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_5_choice, slice3cost_difference_1_5_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_6_choice, slice3cost_difference_1_6_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_7_choice, slice3cost_difference_1_7_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_8_choice, slice3cost_difference_1_8_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_9_choice, slice3cost_difference_1_9_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_10_choice, slice3cost_difference_1_10_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_11_choice, slice3cost_difference_1_11_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_12_choice, slice3cost_difference_1_12_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_13_choice, slice3cost_difference_1_13_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_14_choice, slice3cost_difference_1_14_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_15_choice, slice3cost_difference_1_15_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_16_choice, slice3cost_difference_1_16_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_17_choice, slice3cost_difference_1_17_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_18_choice, slice3cost_difference_1_18_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_19_choice, slice3cost_difference_1_19_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_20_choice, slice3cost_difference_1_20_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_21_choice, slice3cost_difference_1_21_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_22_choice, slice3cost_difference_1_22_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_23_choice, slice3cost_difference_1_23_choice_2 : natural range 0 to 255;
+    variable slice3cost_difference_1_24_choice, slice3cost_difference_1_24_choice_2 : natural range 0 to 255;
+    variable slice0cost_difference_2_0_difference, slice0cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_2_difference, slice0cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_4_difference, slice0cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_6_difference, slice0cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_8_difference, slice0cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_10_difference, slice0cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_12_difference, slice0cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_14_difference, slice0cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_16_difference, slice0cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_18_difference, slice0cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_20_difference, slice0cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_22_difference, slice0cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice0cost_difference_2_24_difference, slice0cost_difference_3_0_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_1_difference, slice0cost_difference_3_2_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_3_difference, slice0cost_difference_3_4_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_5_difference, slice0cost_difference_3_6_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_7_difference, slice0cost_difference_3_8_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_9_difference, slice0cost_difference_3_10_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_11_difference, slice0cost_difference_3_12_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_13_difference, slice0cost_difference_3_14_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_15_difference, slice0cost_difference_3_16_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_17_difference, slice0cost_difference_3_18_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_19_difference, slice0cost_difference_3_20_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_21_difference, slice0cost_difference_3_22_difference : integer range -255 to 255;
+    variable slice0cost_difference_3_23_difference, slice0cost_difference_3_24_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_0_difference, slice1cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_2_difference, slice1cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_4_difference, slice1cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_6_difference, slice1cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_8_difference, slice1cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_10_difference, slice1cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_12_difference, slice1cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_14_difference, slice1cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_16_difference, slice1cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_18_difference, slice1cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_20_difference, slice1cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_22_difference, slice1cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice1cost_difference_2_24_difference, slice1cost_difference_3_0_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_1_difference, slice1cost_difference_3_2_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_3_difference, slice1cost_difference_3_4_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_5_difference, slice1cost_difference_3_6_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_7_difference, slice1cost_difference_3_8_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_9_difference, slice1cost_difference_3_10_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_11_difference, slice1cost_difference_3_12_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_13_difference, slice1cost_difference_3_14_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_15_difference, slice1cost_difference_3_16_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_17_difference, slice1cost_difference_3_18_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_19_difference, slice1cost_difference_3_20_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_21_difference, slice1cost_difference_3_22_difference : integer range -255 to 255;
+    variable slice1cost_difference_3_23_difference, slice1cost_difference_3_24_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_0_difference, slice2cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_2_difference, slice2cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_4_difference, slice2cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_6_difference, slice2cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_8_difference, slice2cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_10_difference, slice2cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_12_difference, slice2cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_14_difference, slice2cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_16_difference, slice2cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_18_difference, slice2cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_20_difference, slice2cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_22_difference, slice2cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice2cost_difference_2_24_difference, slice2cost_difference_3_0_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_1_difference, slice2cost_difference_3_2_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_3_difference, slice2cost_difference_3_4_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_5_difference, slice2cost_difference_3_6_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_7_difference, slice2cost_difference_3_8_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_9_difference, slice2cost_difference_3_10_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_11_difference, slice2cost_difference_3_12_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_13_difference, slice2cost_difference_3_14_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_15_difference, slice2cost_difference_3_16_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_17_difference, slice2cost_difference_3_18_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_19_difference, slice2cost_difference_3_20_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_21_difference, slice2cost_difference_3_22_difference : integer range -255 to 255;
+    variable slice2cost_difference_3_23_difference, slice2cost_difference_3_24_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_0_difference, slice3cost_difference_2_1_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_2_difference, slice3cost_difference_2_3_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_4_difference, slice3cost_difference_2_5_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_6_difference, slice3cost_difference_2_7_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_8_difference, slice3cost_difference_2_9_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_10_difference, slice3cost_difference_2_11_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_12_difference, slice3cost_difference_2_13_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_14_difference, slice3cost_difference_2_15_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_16_difference, slice3cost_difference_2_17_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_18_difference, slice3cost_difference_2_19_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_20_difference, slice3cost_difference_2_21_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_22_difference, slice3cost_difference_2_23_difference : integer range -255 to 255;
+    variable slice3cost_difference_2_24_difference, slice3cost_difference_3_0_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_1_difference, slice3cost_difference_3_2_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_3_difference, slice3cost_difference_3_4_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_5_difference, slice3cost_difference_3_6_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_7_difference, slice3cost_difference_3_8_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_9_difference, slice3cost_difference_3_10_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_11_difference, slice3cost_difference_3_12_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_13_difference, slice3cost_difference_3_14_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_15_difference, slice3cost_difference_3_16_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_17_difference, slice3cost_difference_3_18_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_19_difference, slice3cost_difference_3_20_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_21_difference, slice3cost_difference_3_22_difference : integer range -255 to 255;
+    variable slice3cost_difference_3_23_difference, slice3cost_difference_3_24_difference : integer range -255 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -1363,7 +1954,7 @@ begin
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 60;
       raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) =
         1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 120) else
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 120) else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
@@ -1373,16 +1964,16 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 8 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        raster_place_group_is_equal_3 else raster_features_start_of_frame;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -1391,29 +1982,30 @@ begin
       end if;
       delay_row_inside_0_value := (raster_place_group / 2) mod 16;
       delay_row_inside_0_value_2 := ((raster_place_group / 32) mod 2) = 1;
-      delay_row_inside_0_choice := not delay_row_inside_0_value_2 when (raster_place_group / 64) = 1 else
-        delay_row_inside_0_value_2;
-      delay_row_inside_0_choice_2 := delay_row_inside_0_choice when delay_row_inside_0_value = 0 else (not
-        ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2);
+      delay_row_inside_0_choice := ((raster_place_group / 64) = 1) /= delay_row_inside_0_value_2 when
+        delay_row_inside_0_value = 0 else (not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2);
       delay_row_inside_1_value := ((raster_place_group / 8) mod 2) = 1;
       delay_row_inside_1_choice := ((raster_place_group mod 2) = 1) and ((raster_place_group / 64) = 1) and
         delay_row_inside_1_value when ((raster_place_group / 2) mod 4) = 0 else ((raster_place_group / 64) = 1) and
         delay_row_inside_1_value;
+      delay_tag_newest_inside_is_not_less := raster_place_group >= 1;
+      delay_tag_newest_inside_is_less := raster_place_group < 121;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_choice_2 when ((((raster_place_group / 4) mod 2) = 1) or
+      delay_row_inside_0 <= delay_row_inside_0_choice when ((((raster_place_group / 4) mod 2) = 1) or
         (((raster_place_group / 2) mod 2) = 1)) and (((raster_place_group / 8) mod 4) = 3) else
         (delay_row_inside_0_value /= 0) or ((raster_place_group / 64) = 1) or delay_row_inside_0_value_2;
       delay_row_inside_1 <= (not ((raster_place_group = 0) and ((raster_place_group / 2) = 0))) and ((not
         delay_row_inside_1_choice) or (not delay_row_inside_0_value_2) or (not (((raster_place_group / 16) mod 2) =
         1)));
-      delay_row_inside_3 <= (not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2) or (not
-        (((raster_place_group / 16) mod 2) = 1)) or (not delay_row_inside_1_value);
       delay_tag_valid <= raster_features_valid;
+      delay_tag_newest_inside <= (as_number(((not ((raster_place_group / 64) = 1)) or (not delay_row_inside_0_value_2)
+        or (not (((raster_place_group / 16) mod 2) = 1)) or (not delay_row_inside_1_value))) * 2) +
+        as_number((delay_tag_newest_inside_is_not_less and delay_tag_newest_inside_is_less));
       delay_tag_border_column <= raster_place_column < 99;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 120) and (((raster_place_column + 65437)
-        mod 65536) < 220);
+      delay_tag_output_column <= delay_tag_newest_inside_is_not_less and delay_tag_newest_inside_is_less and
+        (raster_place_column >= 99) and (raster_place_column < 319);
       delay_tag_start_of_frame <= (raster_place_column = 99) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
@@ -1430,8 +2022,8 @@ begin
       rows_read_column <= delay_column;
       rows_read_inside_0 <= delay_row_inside_0;
       rows_read_inside_1 <= delay_row_inside_1;
-      rows_read_inside_3 <= delay_row_inside_3;
       rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_newest_inside <= delay_tag_newest_inside;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
@@ -1439,21 +2031,23 @@ begin
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
       rows_ready_inside_1 <= rows_read_inside_1;
-      rows_ready_inside_3 <= rows_read_inside_3;
       rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_newest_inside <= rows_read_tag_newest_inside;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_write_column <= rows_ready_column;
       rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
+      rows_search_3 <= rows_search_rows_ready_newest_0;
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
+      rows_reference_3 <= rows_reference_rows_ready_newest_0;
       rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_newest_inside <= rows_ready_tag_newest_inside;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
@@ -1463,7 +2057,6 @@ begin
           256) + (rows_search_rows_ready_newest_1 * 65536);
         rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 65536) +
           (rows_reference_rows_ready_newest_0 * 256) + (rows_reference_rows_ready_newest_1 * 65536);
-        rows_write_column <= rows_ready_column;
       end if;
       -- slice0shift
       if rows_tag_valid then
@@ -1577,266 +2170,596 @@ begin
       slice0shift_search_out_2 <= slice0shift_search_2_0;
       slice0shift_search_out_3 <= slice0shift_search_3_0;
       slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_newest_inside <= rows_tag_newest_inside;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_0_8_choice := slice0cost_reverse_0_8 when slice0cost_difference_2_8 < 0 else
-        positive_part(slice0cost_difference_2_8);
-      slice0cost_pair_0_9_choice := slice0cost_reverse_0_9 when slice0cost_difference_2_9 < 0 else
-        positive_part(slice0cost_difference_2_9);
-      slice0cost_pair_0_10_choice := slice0cost_reverse_0_10 when slice0cost_difference_2_10 < 0 else
-        positive_part(slice0cost_difference_2_10);
-      slice0cost_pair_0_11_choice := slice0cost_reverse_0_11 when slice0cost_difference_2_11 < 0 else
-        positive_part(slice0cost_difference_2_11);
-      slice0cost_pair_0_12_choice := slice0cost_reverse_0_12 when slice0cost_difference_2_12 < 0 else
-        positive_part(slice0cost_difference_2_12);
-      slice0cost_pair_0_13_choice := slice0cost_reverse_0_13 when slice0cost_difference_2_13 < 0 else
-        positive_part(slice0cost_difference_2_13);
-      slice0cost_pair_0_14_choice := slice0cost_reverse_0_14 when slice0cost_difference_2_14 < 0 else
-        positive_part(slice0cost_difference_2_14);
-      slice0cost_pair_0_15_choice := slice0cost_reverse_0_15 when slice0cost_difference_2_15 < 0 else
-        positive_part(slice0cost_difference_2_15);
-      slice0cost_pair_0_16_choice := slice0cost_reverse_0_16 when slice0cost_difference_2_16 < 0 else
-        positive_part(slice0cost_difference_2_16);
-      slice0cost_pair_0_17_choice := slice0cost_reverse_0_17 when slice0cost_difference_2_17 < 0 else
-        positive_part(slice0cost_difference_2_17);
-      slice0cost_pair_0_18_choice := slice0cost_reverse_0_18 when slice0cost_difference_2_18 < 0 else
-        positive_part(slice0cost_difference_2_18);
-      slice0cost_pair_0_19_choice := slice0cost_reverse_0_19 when slice0cost_difference_2_19 < 0 else
-        positive_part(slice0cost_difference_2_19);
-      slice0cost_pair_0_20_choice := slice0cost_reverse_0_20 when slice0cost_difference_2_20 < 0 else
-        positive_part(slice0cost_difference_2_20);
-      slice0cost_pair_0_21_choice := slice0cost_reverse_0_21 when slice0cost_difference_2_21 < 0 else
-        positive_part(slice0cost_difference_2_21);
-      slice0cost_pair_0_22_choice := slice0cost_reverse_0_22 when slice0cost_difference_2_22 < 0 else
-        positive_part(slice0cost_difference_2_22);
-      slice0cost_pair_0_23_choice := slice0cost_reverse_0_23 when slice0cost_difference_2_23 < 0 else
-        positive_part(slice0cost_difference_2_23);
-      slice0cost_pair_0_24_choice := slice0cost_reverse_0_24 when slice0cost_difference_2_24 < 0 else
-        positive_part(slice0cost_difference_2_24);
-      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_difference_0_3 <= slice0shift_search_0_3 - slice0shift_reference_0;
-      slice0cost_difference_0_4 <= slice0shift_search_0_4 - slice0shift_reference_0;
-      slice0cost_difference_0_5 <= slice0shift_search_0_5 - slice0shift_reference_0;
-      slice0cost_difference_0_6 <= slice0shift_search_0_6 - slice0shift_reference_0;
-      slice0cost_difference_0_7 <= slice0shift_search_0_7 - slice0shift_reference_0;
-      slice0cost_difference_0_8 <= slice0shift_search_0_8 - slice0shift_reference_0;
-      slice0cost_difference_0_9 <= slice0shift_search_0_9 - slice0shift_reference_0;
-      slice0cost_difference_0_10 <= slice0shift_search_0_10 - slice0shift_reference_0;
-      slice0cost_difference_0_11 <= slice0shift_search_0_11 - slice0shift_reference_0;
-      slice0cost_difference_0_12 <= slice0shift_search_0_12 - slice0shift_reference_0;
-      slice0cost_difference_0_13 <= slice0shift_search_0_13 - slice0shift_reference_0;
-      slice0cost_difference_0_14 <= slice0shift_search_0_14 - slice0shift_reference_0;
-      slice0cost_difference_0_15 <= slice0shift_search_0_15 - slice0shift_reference_0;
-      slice0cost_difference_0_16 <= slice0shift_search_0_16 - slice0shift_reference_0;
-      slice0cost_difference_0_17 <= slice0shift_search_0_17 - slice0shift_reference_0;
-      slice0cost_difference_0_18 <= slice0shift_search_0_18 - slice0shift_reference_0;
-      slice0cost_difference_0_19 <= slice0shift_search_0_19 - slice0shift_reference_0;
-      slice0cost_difference_0_20 <= slice0shift_search_0_20 - slice0shift_reference_0;
-      slice0cost_difference_0_21 <= slice0shift_search_0_21 - slice0shift_reference_0;
-      slice0cost_difference_0_22 <= slice0shift_search_0_22 - slice0shift_reference_0;
-      slice0cost_difference_0_23 <= slice0shift_search_0_23 - slice0shift_reference_0;
-      slice0cost_difference_0_24 <= slice0shift_search_0_24 - slice0shift_reference_0;
-      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_difference_1_3 <= slice0shift_search_1_3 - slice0shift_reference_1;
-      slice0cost_difference_1_4 <= slice0shift_search_1_4 - slice0shift_reference_1;
-      slice0cost_difference_1_5 <= slice0shift_search_1_5 - slice0shift_reference_1;
-      slice0cost_difference_1_6 <= slice0shift_search_1_6 - slice0shift_reference_1;
-      slice0cost_difference_1_7 <= slice0shift_search_1_7 - slice0shift_reference_1;
-      slice0cost_difference_1_8 <= slice0shift_search_1_8 - slice0shift_reference_1;
-      slice0cost_difference_1_9 <= slice0shift_search_1_9 - slice0shift_reference_1;
-      slice0cost_difference_1_10 <= slice0shift_search_1_10 - slice0shift_reference_1;
-      slice0cost_difference_1_11 <= slice0shift_search_1_11 - slice0shift_reference_1;
-      slice0cost_difference_1_12 <= slice0shift_search_1_12 - slice0shift_reference_1;
-      slice0cost_difference_1_13 <= slice0shift_search_1_13 - slice0shift_reference_1;
-      slice0cost_difference_1_14 <= slice0shift_search_1_14 - slice0shift_reference_1;
-      slice0cost_difference_1_15 <= slice0shift_search_1_15 - slice0shift_reference_1;
-      slice0cost_difference_1_16 <= slice0shift_search_1_16 - slice0shift_reference_1;
-      slice0cost_difference_1_17 <= slice0shift_search_1_17 - slice0shift_reference_1;
-      slice0cost_difference_1_18 <= slice0shift_search_1_18 - slice0shift_reference_1;
-      slice0cost_difference_1_19 <= slice0shift_search_1_19 - slice0shift_reference_1;
-      slice0cost_difference_1_20 <= slice0shift_search_1_20 - slice0shift_reference_1;
-      slice0cost_difference_1_21 <= slice0shift_search_1_21 - slice0shift_reference_1;
-      slice0cost_difference_1_22 <= slice0shift_search_1_22 - slice0shift_reference_1;
-      slice0cost_difference_1_23 <= slice0shift_search_1_23 - slice0shift_reference_1;
-      slice0cost_difference_1_24 <= slice0shift_search_1_24 - slice0shift_reference_1;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
-      slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_difference_2_5 <= slice0shift_search_2_5 - slice0shift_reference_2;
-      slice0cost_difference_2_6 <= slice0shift_search_2_6 - slice0shift_reference_2;
-      slice0cost_difference_2_7 <= slice0shift_search_2_7 - slice0shift_reference_2;
-      slice0cost_difference_2_8 <= slice0shift_search_2_8 - slice0shift_reference_2;
-      slice0cost_difference_2_9 <= slice0shift_search_2_9 - slice0shift_reference_2;
-      slice0cost_difference_2_10 <= slice0shift_search_2_10 - slice0shift_reference_2;
-      slice0cost_difference_2_11 <= slice0shift_search_2_11 - slice0shift_reference_2;
-      slice0cost_difference_2_12 <= slice0shift_search_2_12 - slice0shift_reference_2;
-      slice0cost_difference_2_13 <= slice0shift_search_2_13 - slice0shift_reference_2;
-      slice0cost_difference_2_14 <= slice0shift_search_2_14 - slice0shift_reference_2;
-      slice0cost_difference_2_15 <= slice0shift_search_2_15 - slice0shift_reference_2;
-      slice0cost_difference_2_16 <= slice0shift_search_2_16 - slice0shift_reference_2;
-      slice0cost_difference_2_17 <= slice0shift_search_2_17 - slice0shift_reference_2;
-      slice0cost_difference_2_18 <= slice0shift_search_2_18 - slice0shift_reference_2;
-      slice0cost_difference_2_19 <= slice0shift_search_2_19 - slice0shift_reference_2;
-      slice0cost_difference_2_20 <= slice0shift_search_2_20 - slice0shift_reference_2;
-      slice0cost_difference_2_21 <= slice0shift_search_2_21 - slice0shift_reference_2;
-      slice0cost_difference_2_22 <= slice0shift_search_2_22 - slice0shift_reference_2;
-      slice0cost_difference_2_23 <= slice0shift_search_2_23 - slice0shift_reference_2;
-      slice0cost_difference_2_24 <= slice0shift_search_2_24 - slice0shift_reference_2;
-      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
-      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
-      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_difference_3_3 <= slice0shift_search_3_3 - slice0shift_reference_3;
-      slice0cost_difference_3_4 <= slice0shift_search_3_4 - slice0shift_reference_3;
-      slice0cost_difference_3_5 <= slice0shift_search_3_5 - slice0shift_reference_3;
-      slice0cost_difference_3_6 <= slice0shift_search_3_6 - slice0shift_reference_3;
-      slice0cost_difference_3_7 <= slice0shift_search_3_7 - slice0shift_reference_3;
-      slice0cost_difference_3_8 <= slice0shift_search_3_8 - slice0shift_reference_3;
-      slice0cost_difference_3_9 <= slice0shift_search_3_9 - slice0shift_reference_3;
-      slice0cost_difference_3_10 <= slice0shift_search_3_10 - slice0shift_reference_3;
-      slice0cost_difference_3_11 <= slice0shift_search_3_11 - slice0shift_reference_3;
-      slice0cost_difference_3_12 <= slice0shift_search_3_12 - slice0shift_reference_3;
-      slice0cost_difference_3_13 <= slice0shift_search_3_13 - slice0shift_reference_3;
-      slice0cost_difference_3_14 <= slice0shift_search_3_14 - slice0shift_reference_3;
-      slice0cost_difference_3_15 <= slice0shift_search_3_15 - slice0shift_reference_3;
-      slice0cost_difference_3_16 <= slice0shift_search_3_16 - slice0shift_reference_3;
-      slice0cost_difference_3_17 <= slice0shift_search_3_17 - slice0shift_reference_3;
-      slice0cost_difference_3_18 <= slice0shift_search_3_18 - slice0shift_reference_3;
-      slice0cost_difference_3_19 <= slice0shift_search_3_19 - slice0shift_reference_3;
-      slice0cost_difference_3_20 <= slice0shift_search_3_20 - slice0shift_reference_3;
-      slice0cost_difference_3_21 <= slice0shift_search_3_21 - slice0shift_reference_3;
-      slice0cost_difference_3_22 <= slice0shift_search_3_22 - slice0shift_reference_3;
-      slice0cost_difference_3_23 <= slice0shift_search_3_23 - slice0shift_reference_3;
-      slice0cost_difference_3_24 <= slice0shift_search_3_24 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_0_8 <= (slice0shift_reference_2 - slice0shift_search_2_8) mod 256;
-      slice0cost_reverse_0_9 <= (slice0shift_reference_2 - slice0shift_search_2_9) mod 256;
-      slice0cost_reverse_0_10 <= (slice0shift_reference_2 - slice0shift_search_2_10) mod 256;
-      slice0cost_reverse_0_11 <= (slice0shift_reference_2 - slice0shift_search_2_11) mod 256;
-      slice0cost_reverse_0_12 <= (slice0shift_reference_2 - slice0shift_search_2_12) mod 256;
-      slice0cost_reverse_0_13 <= (slice0shift_reference_2 - slice0shift_search_2_13) mod 256;
-      slice0cost_reverse_0_14 <= (slice0shift_reference_2 - slice0shift_search_2_14) mod 256;
-      slice0cost_reverse_0_15 <= (slice0shift_reference_2 - slice0shift_search_2_15) mod 256;
-      slice0cost_reverse_0_16 <= (slice0shift_reference_2 - slice0shift_search_2_16) mod 256;
-      slice0cost_reverse_0_17 <= (slice0shift_reference_2 - slice0shift_search_2_17) mod 256;
-      slice0cost_reverse_0_18 <= (slice0shift_reference_2 - slice0shift_search_2_18) mod 256;
-      slice0cost_reverse_0_19 <= (slice0shift_reference_2 - slice0shift_search_2_19) mod 256;
-      slice0cost_reverse_0_20 <= (slice0shift_reference_2 - slice0shift_search_2_20) mod 256;
-      slice0cost_reverse_0_21 <= (slice0shift_reference_2 - slice0shift_search_2_21) mod 256;
-      slice0cost_reverse_0_22 <= (slice0shift_reference_2 - slice0shift_search_2_22) mod 256;
-      slice0cost_reverse_0_23 <= (slice0shift_reference_2 - slice0shift_search_2_23) mod 256;
-      slice0cost_reverse_0_24 <= (slice0shift_reference_2 - slice0shift_search_2_24) mod 256;
+      if rows_ready_tag_valid then
+        slice0cost_signs_column <= rows_ready_column;
+      end if;
+      slice0cost_difference_0_0_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
+        slice0shift_search_0_0;
+      slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
+        slice0shift_reference_0;
+      slice0cost_difference_0_1_value := ((slice0cost_signs_ready_words_0 / 2) mod 2) = 1;
+      slice0cost_difference_0_1_choice := slice0shift_reference_0 when slice0cost_difference_0_1_value else
+        slice0shift_search_0_1;
+      slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1 when slice0cost_difference_0_1_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_2_value := ((slice0cost_signs_ready_words_0 / 4) mod 2) = 1;
+      slice0cost_difference_0_2_choice := slice0shift_reference_0 when slice0cost_difference_0_2_value else
+        slice0shift_search_0_2;
+      slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2 when slice0cost_difference_0_2_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_3_value := ((slice0cost_signs_ready_words_0 / 8) mod 2) = 1;
+      slice0cost_difference_0_3_choice := slice0shift_reference_0 when slice0cost_difference_0_3_value else
+        slice0shift_search_0_3;
+      slice0cost_difference_0_3_choice_2 := slice0shift_search_0_3 when slice0cost_difference_0_3_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_4_value := ((slice0cost_signs_ready_words_0 / 16) mod 2) = 1;
+      slice0cost_difference_0_4_choice := slice0shift_reference_0 when slice0cost_difference_0_4_value else
+        slice0shift_search_0_4;
+      slice0cost_difference_0_4_choice_2 := slice0shift_search_0_4 when slice0cost_difference_0_4_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_5_value := ((slice0cost_signs_ready_words_0 / 32) mod 2) = 1;
+      slice0cost_difference_0_5_choice := slice0shift_reference_0 when slice0cost_difference_0_5_value else
+        slice0shift_search_0_5;
+      slice0cost_difference_0_5_choice_2 := slice0shift_search_0_5 when slice0cost_difference_0_5_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_6_value := ((slice0cost_signs_ready_words_0 / 64) mod 2) = 1;
+      slice0cost_difference_0_6_choice := slice0shift_reference_0 when slice0cost_difference_0_6_value else
+        slice0shift_search_0_6;
+      slice0cost_difference_0_6_choice_2 := slice0shift_search_0_6 when slice0cost_difference_0_6_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_7_value := ((slice0cost_signs_ready_words_0 / 128) mod 2) = 1;
+      slice0cost_difference_0_7_choice := slice0shift_reference_0 when slice0cost_difference_0_7_value else
+        slice0shift_search_0_7;
+      slice0cost_difference_0_7_choice_2 := slice0shift_search_0_7 when slice0cost_difference_0_7_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_8_value := ((slice0cost_signs_ready_words_0 / 256) mod 2) = 1;
+      slice0cost_difference_0_8_choice := slice0shift_reference_0 when slice0cost_difference_0_8_value else
+        slice0shift_search_0_8;
+      slice0cost_difference_0_8_choice_2 := slice0shift_search_0_8 when slice0cost_difference_0_8_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_9_value := ((slice0cost_signs_ready_words_0 / 512) mod 2) = 1;
+      slice0cost_difference_0_9_choice := slice0shift_reference_0 when slice0cost_difference_0_9_value else
+        slice0shift_search_0_9;
+      slice0cost_difference_0_9_choice_2 := slice0shift_search_0_9 when slice0cost_difference_0_9_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_10_value := ((slice0cost_signs_ready_words_0 / 1024) mod 2) = 1;
+      slice0cost_difference_0_10_choice := slice0shift_reference_0 when slice0cost_difference_0_10_value else
+        slice0shift_search_0_10;
+      slice0cost_difference_0_10_choice_2 := slice0shift_search_0_10 when slice0cost_difference_0_10_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_11_value := ((slice0cost_signs_ready_words_0 / 2048) mod 2) = 1;
+      slice0cost_difference_0_11_choice := slice0shift_reference_0 when slice0cost_difference_0_11_value else
+        slice0shift_search_0_11;
+      slice0cost_difference_0_11_choice_2 := slice0shift_search_0_11 when slice0cost_difference_0_11_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_12_value := ((slice0cost_signs_ready_words_0 / 4096) mod 2) = 1;
+      slice0cost_difference_0_12_choice := slice0shift_reference_0 when slice0cost_difference_0_12_value else
+        slice0shift_search_0_12;
+      slice0cost_difference_0_12_choice_2 := slice0shift_search_0_12 when slice0cost_difference_0_12_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_13_value := ((slice0cost_signs_ready_words_0 / 8192) mod 2) = 1;
+      slice0cost_difference_0_13_choice := slice0shift_reference_0 when slice0cost_difference_0_13_value else
+        slice0shift_search_0_13;
+      slice0cost_difference_0_13_choice_2 := slice0shift_search_0_13 when slice0cost_difference_0_13_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_14_value := ((slice0cost_signs_ready_words_0 / 16384) mod 2) = 1;
+      slice0cost_difference_0_14_choice := slice0shift_reference_0 when slice0cost_difference_0_14_value else
+        slice0shift_search_0_14;
+      slice0cost_difference_0_14_choice_2 := slice0shift_search_0_14 when slice0cost_difference_0_14_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_15_value := ((slice0cost_signs_ready_words_0 / 32768) mod 2) = 1;
+      slice0cost_difference_0_15_choice := slice0shift_reference_0 when slice0cost_difference_0_15_value else
+        slice0shift_search_0_15;
+      slice0cost_difference_0_15_choice_2 := slice0shift_search_0_15 when slice0cost_difference_0_15_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_16_value := ((slice0cost_signs_ready_words_0 / 65536) mod 2) = 1;
+      slice0cost_difference_0_16_choice := slice0shift_reference_0 when slice0cost_difference_0_16_value else
+        slice0shift_search_0_16;
+      slice0cost_difference_0_16_choice_2 := slice0shift_search_0_16 when slice0cost_difference_0_16_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_17_value := ((slice0cost_signs_ready_words_0 / 131072) mod 2) = 1;
+      slice0cost_difference_0_17_choice := slice0shift_reference_0 when slice0cost_difference_0_17_value else
+        slice0shift_search_0_17;
+      slice0cost_difference_0_17_choice_2 := slice0shift_search_0_17 when slice0cost_difference_0_17_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_18_value := ((slice0cost_signs_ready_words_0 / 262144) mod 2) = 1;
+      slice0cost_difference_0_18_choice := slice0shift_reference_0 when slice0cost_difference_0_18_value else
+        slice0shift_search_0_18;
+      slice0cost_difference_0_18_choice_2 := slice0shift_search_0_18 when slice0cost_difference_0_18_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_19_value := ((slice0cost_signs_ready_words_0 / 524288) mod 2) = 1;
+      slice0cost_difference_0_19_choice := slice0shift_reference_0 when slice0cost_difference_0_19_value else
+        slice0shift_search_0_19;
+      slice0cost_difference_0_19_choice_2 := slice0shift_search_0_19 when slice0cost_difference_0_19_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_20_value := ((slice0cost_signs_ready_words_0 / 1048576) mod 2) = 1;
+      slice0cost_difference_0_20_choice := slice0shift_reference_0 when slice0cost_difference_0_20_value else
+        slice0shift_search_0_20;
+      slice0cost_difference_0_20_choice_2 := slice0shift_search_0_20 when slice0cost_difference_0_20_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_21_value := ((slice0cost_signs_ready_words_0 / 2097152) mod 2) = 1;
+      slice0cost_difference_0_21_choice := slice0shift_reference_0 when slice0cost_difference_0_21_value else
+        slice0shift_search_0_21;
+      slice0cost_difference_0_21_choice_2 := slice0shift_search_0_21 when slice0cost_difference_0_21_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_22_value := ((slice0cost_signs_ready_words_0 / 4194304) mod 2) = 1;
+      slice0cost_difference_0_22_choice := slice0shift_reference_0 when slice0cost_difference_0_22_value else
+        slice0shift_search_0_22;
+      slice0cost_difference_0_22_choice_2 := slice0shift_search_0_22 when slice0cost_difference_0_22_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_23_value := ((slice0cost_signs_ready_words_0 / 8388608) mod 2) = 1;
+      slice0cost_difference_0_23_choice := slice0shift_reference_0 when slice0cost_difference_0_23_value else
+        slice0shift_search_0_23;
+      slice0cost_difference_0_23_choice_2 := slice0shift_search_0_23 when slice0cost_difference_0_23_value else
+        slice0shift_reference_0;
+      slice0cost_difference_0_24_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 / 16777216) = 1
+        else slice0shift_search_0_24;
+      slice0cost_difference_0_24_choice_2 := slice0shift_search_0_24 when (slice0cost_signs_ready_words_0 / 16777216) =
+        1 else slice0shift_reference_0;
+      slice0cost_difference_1_0_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
+        slice0shift_search_1_0;
+      slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
+        slice0shift_reference_1;
+      slice0cost_difference_1_1_value := ((slice0cost_signs_ready_words_1 / 2) mod 2) = 1;
+      slice0cost_difference_1_1_choice := slice0shift_reference_1 when slice0cost_difference_1_1_value else
+        slice0shift_search_1_1;
+      slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1 when slice0cost_difference_1_1_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_2_value := ((slice0cost_signs_ready_words_1 / 4) mod 2) = 1;
+      slice0cost_difference_1_2_choice := slice0shift_reference_1 when slice0cost_difference_1_2_value else
+        slice0shift_search_1_2;
+      slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2 when slice0cost_difference_1_2_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_3_value := ((slice0cost_signs_ready_words_1 / 8) mod 2) = 1;
+      slice0cost_difference_1_3_choice := slice0shift_reference_1 when slice0cost_difference_1_3_value else
+        slice0shift_search_1_3;
+      slice0cost_difference_1_3_choice_2 := slice0shift_search_1_3 when slice0cost_difference_1_3_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_4_value := ((slice0cost_signs_ready_words_1 / 16) mod 2) = 1;
+      slice0cost_difference_1_4_choice := slice0shift_reference_1 when slice0cost_difference_1_4_value else
+        slice0shift_search_1_4;
+      slice0cost_difference_1_4_choice_2 := slice0shift_search_1_4 when slice0cost_difference_1_4_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_5_value := ((slice0cost_signs_ready_words_1 / 32) mod 2) = 1;
+      slice0cost_difference_1_5_choice := slice0shift_reference_1 when slice0cost_difference_1_5_value else
+        slice0shift_search_1_5;
+      slice0cost_difference_1_5_choice_2 := slice0shift_search_1_5 when slice0cost_difference_1_5_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_6_value := ((slice0cost_signs_ready_words_1 / 64) mod 2) = 1;
+      slice0cost_difference_1_6_choice := slice0shift_reference_1 when slice0cost_difference_1_6_value else
+        slice0shift_search_1_6;
+      slice0cost_difference_1_6_choice_2 := slice0shift_search_1_6 when slice0cost_difference_1_6_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_7_value := ((slice0cost_signs_ready_words_1 / 128) mod 2) = 1;
+      slice0cost_difference_1_7_choice := slice0shift_reference_1 when slice0cost_difference_1_7_value else
+        slice0shift_search_1_7;
+      slice0cost_difference_1_7_choice_2 := slice0shift_search_1_7 when slice0cost_difference_1_7_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_8_value := ((slice0cost_signs_ready_words_1 / 256) mod 2) = 1;
+      slice0cost_difference_1_8_choice := slice0shift_reference_1 when slice0cost_difference_1_8_value else
+        slice0shift_search_1_8;
+      slice0cost_difference_1_8_choice_2 := slice0shift_search_1_8 when slice0cost_difference_1_8_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_9_value := ((slice0cost_signs_ready_words_1 / 512) mod 2) = 1;
+      slice0cost_difference_1_9_choice := slice0shift_reference_1 when slice0cost_difference_1_9_value else
+        slice0shift_search_1_9;
+      slice0cost_difference_1_9_choice_2 := slice0shift_search_1_9 when slice0cost_difference_1_9_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_10_value := ((slice0cost_signs_ready_words_1 / 1024) mod 2) = 1;
+      slice0cost_difference_1_10_choice := slice0shift_reference_1 when slice0cost_difference_1_10_value else
+        slice0shift_search_1_10;
+      slice0cost_difference_1_10_choice_2 := slice0shift_search_1_10 when slice0cost_difference_1_10_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_11_value := ((slice0cost_signs_ready_words_1 / 2048) mod 2) = 1;
+      slice0cost_difference_1_11_choice := slice0shift_reference_1 when slice0cost_difference_1_11_value else
+        slice0shift_search_1_11;
+      slice0cost_difference_1_11_choice_2 := slice0shift_search_1_11 when slice0cost_difference_1_11_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_12_value := ((slice0cost_signs_ready_words_1 / 4096) mod 2) = 1;
+      slice0cost_difference_1_12_choice := slice0shift_reference_1 when slice0cost_difference_1_12_value else
+        slice0shift_search_1_12;
+      slice0cost_difference_1_12_choice_2 := slice0shift_search_1_12 when slice0cost_difference_1_12_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_13_value := ((slice0cost_signs_ready_words_1 / 8192) mod 2) = 1;
+      slice0cost_difference_1_13_choice := slice0shift_reference_1 when slice0cost_difference_1_13_value else
+        slice0shift_search_1_13;
+      slice0cost_difference_1_13_choice_2 := slice0shift_search_1_13 when slice0cost_difference_1_13_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_14_value := ((slice0cost_signs_ready_words_1 / 16384) mod 2) = 1;
+      slice0cost_difference_1_14_choice := slice0shift_reference_1 when slice0cost_difference_1_14_value else
+        slice0shift_search_1_14;
+      slice0cost_difference_1_14_choice_2 := slice0shift_search_1_14 when slice0cost_difference_1_14_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_15_value := ((slice0cost_signs_ready_words_1 / 32768) mod 2) = 1;
+      slice0cost_difference_1_15_choice := slice0shift_reference_1 when slice0cost_difference_1_15_value else
+        slice0shift_search_1_15;
+      slice0cost_difference_1_15_choice_2 := slice0shift_search_1_15 when slice0cost_difference_1_15_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_16_value := ((slice0cost_signs_ready_words_1 / 65536) mod 2) = 1;
+      slice0cost_difference_1_16_choice := slice0shift_reference_1 when slice0cost_difference_1_16_value else
+        slice0shift_search_1_16;
+      slice0cost_difference_1_16_choice_2 := slice0shift_search_1_16 when slice0cost_difference_1_16_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_17_value := ((slice0cost_signs_ready_words_1 / 131072) mod 2) = 1;
+      slice0cost_difference_1_17_choice := slice0shift_reference_1 when slice0cost_difference_1_17_value else
+        slice0shift_search_1_17;
+      slice0cost_difference_1_17_choice_2 := slice0shift_search_1_17 when slice0cost_difference_1_17_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_18_value := ((slice0cost_signs_ready_words_1 / 262144) mod 2) = 1;
+      slice0cost_difference_1_18_choice := slice0shift_reference_1 when slice0cost_difference_1_18_value else
+        slice0shift_search_1_18;
+      slice0cost_difference_1_18_choice_2 := slice0shift_search_1_18 when slice0cost_difference_1_18_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_19_value := ((slice0cost_signs_ready_words_1 / 524288) mod 2) = 1;
+      slice0cost_difference_1_19_choice := slice0shift_reference_1 when slice0cost_difference_1_19_value else
+        slice0shift_search_1_19;
+      slice0cost_difference_1_19_choice_2 := slice0shift_search_1_19 when slice0cost_difference_1_19_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_20_value := ((slice0cost_signs_ready_words_1 / 1048576) mod 2) = 1;
+      slice0cost_difference_1_20_choice := slice0shift_reference_1 when slice0cost_difference_1_20_value else
+        slice0shift_search_1_20;
+      slice0cost_difference_1_20_choice_2 := slice0shift_search_1_20 when slice0cost_difference_1_20_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_21_value := ((slice0cost_signs_ready_words_1 / 2097152) mod 2) = 1;
+      slice0cost_difference_1_21_choice := slice0shift_reference_1 when slice0cost_difference_1_21_value else
+        slice0shift_search_1_21;
+      slice0cost_difference_1_21_choice_2 := slice0shift_search_1_21 when slice0cost_difference_1_21_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_22_value := ((slice0cost_signs_ready_words_1 / 4194304) mod 2) = 1;
+      slice0cost_difference_1_22_choice := slice0shift_reference_1 when slice0cost_difference_1_22_value else
+        slice0shift_search_1_22;
+      slice0cost_difference_1_22_choice_2 := slice0shift_search_1_22 when slice0cost_difference_1_22_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_23_value := ((slice0cost_signs_ready_words_1 / 8388608) mod 2) = 1;
+      slice0cost_difference_1_23_choice := slice0shift_reference_1 when slice0cost_difference_1_23_value else
+        slice0shift_search_1_23;
+      slice0cost_difference_1_23_choice_2 := slice0shift_search_1_23 when slice0cost_difference_1_23_value else
+        slice0shift_reference_1;
+      slice0cost_difference_1_24_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 / 16777216) = 1
+        else slice0shift_search_1_24;
+      slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24 when (slice0cost_signs_ready_words_1 / 16777216) =
+        1 else slice0shift_reference_1;
+      slice0cost_difference_2_0_difference := slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1_difference := slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2_difference := slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_2_3_difference := slice0shift_search_2_3 - slice0shift_reference_2;
+      slice0cost_difference_2_4_difference := slice0shift_search_2_4 - slice0shift_reference_2;
+      slice0cost_difference_2_5_difference := slice0shift_search_2_5 - slice0shift_reference_2;
+      slice0cost_difference_2_6_difference := slice0shift_search_2_6 - slice0shift_reference_2;
+      slice0cost_difference_2_7_difference := slice0shift_search_2_7 - slice0shift_reference_2;
+      slice0cost_difference_2_8_difference := slice0shift_search_2_8 - slice0shift_reference_2;
+      slice0cost_difference_2_9_difference := slice0shift_search_2_9 - slice0shift_reference_2;
+      slice0cost_difference_2_10_difference := slice0shift_search_2_10 - slice0shift_reference_2;
+      slice0cost_difference_2_11_difference := slice0shift_search_2_11 - slice0shift_reference_2;
+      slice0cost_difference_2_12_difference := slice0shift_search_2_12 - slice0shift_reference_2;
+      slice0cost_difference_2_13_difference := slice0shift_search_2_13 - slice0shift_reference_2;
+      slice0cost_difference_2_14_difference := slice0shift_search_2_14 - slice0shift_reference_2;
+      slice0cost_difference_2_15_difference := slice0shift_search_2_15 - slice0shift_reference_2;
+      slice0cost_difference_2_16_difference := slice0shift_search_2_16 - slice0shift_reference_2;
+      slice0cost_difference_2_17_difference := slice0shift_search_2_17 - slice0shift_reference_2;
+      slice0cost_difference_2_18_difference := slice0shift_search_2_18 - slice0shift_reference_2;
+      slice0cost_difference_2_19_difference := slice0shift_search_2_19 - slice0shift_reference_2;
+      slice0cost_difference_2_20_difference := slice0shift_search_2_20 - slice0shift_reference_2;
+      slice0cost_difference_2_21_difference := slice0shift_search_2_21 - slice0shift_reference_2;
+      slice0cost_difference_2_22_difference := slice0shift_search_2_22 - slice0shift_reference_2;
+      slice0cost_difference_2_23_difference := slice0shift_search_2_23 - slice0shift_reference_2;
+      slice0cost_difference_2_24_difference := slice0shift_search_2_24 - slice0shift_reference_2;
+      slice0cost_difference_3_0_difference := slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1_difference := slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2_difference := slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_difference_3_3_difference := slice0shift_search_3_3 - slice0shift_reference_3;
+      slice0cost_difference_3_4_difference := slice0shift_search_3_4 - slice0shift_reference_3;
+      slice0cost_difference_3_5_difference := slice0shift_search_3_5 - slice0shift_reference_3;
+      slice0cost_difference_3_6_difference := slice0shift_search_3_6 - slice0shift_reference_3;
+      slice0cost_difference_3_7_difference := slice0shift_search_3_7 - slice0shift_reference_3;
+      slice0cost_difference_3_8_difference := slice0shift_search_3_8 - slice0shift_reference_3;
+      slice0cost_difference_3_9_difference := slice0shift_search_3_9 - slice0shift_reference_3;
+      slice0cost_difference_3_10_difference := slice0shift_search_3_10 - slice0shift_reference_3;
+      slice0cost_difference_3_11_difference := slice0shift_search_3_11 - slice0shift_reference_3;
+      slice0cost_difference_3_12_difference := slice0shift_search_3_12 - slice0shift_reference_3;
+      slice0cost_difference_3_13_difference := slice0shift_search_3_13 - slice0shift_reference_3;
+      slice0cost_difference_3_14_difference := slice0shift_search_3_14 - slice0shift_reference_3;
+      slice0cost_difference_3_15_difference := slice0shift_search_3_15 - slice0shift_reference_3;
+      slice0cost_difference_3_16_difference := slice0shift_search_3_16 - slice0shift_reference_3;
+      slice0cost_difference_3_17_difference := slice0shift_search_3_17 - slice0shift_reference_3;
+      slice0cost_difference_3_18_difference := slice0shift_search_3_18 - slice0shift_reference_3;
+      slice0cost_difference_3_19_difference := slice0shift_search_3_19 - slice0shift_reference_3;
+      slice0cost_difference_3_20_difference := slice0shift_search_3_20 - slice0shift_reference_3;
+      slice0cost_difference_3_21_difference := slice0shift_search_3_21 - slice0shift_reference_3;
+      slice0cost_difference_3_22_difference := slice0shift_search_3_22 - slice0shift_reference_3;
+      slice0cost_difference_3_23_difference := slice0shift_search_3_23 - slice0shift_reference_3;
+      slice0cost_difference_3_24_difference := slice0shift_search_3_24 - slice0shift_reference_3;
+      slice0cost_signs_next_column <= rows_write_column;
+      slice0cost_signs_difference_column <= slice0cost_signs_next_column;
+      slice0cost_signs_ready_words_0 <= to_integer(slice0cost_signs_read_words_0);
+      slice0cost_signs_ready_words_1 <= to_integer(slice0cost_signs_read_words_1);
+      slice0cost_difference_0_0 <= (slice0cost_difference_0_0_choice - slice0cost_difference_0_0_choice_2) mod 256;
+      slice0cost_difference_0_1 <= (slice0cost_difference_0_1_choice - slice0cost_difference_0_1_choice_2) mod 256;
+      slice0cost_difference_0_2 <= (slice0cost_difference_0_2_choice - slice0cost_difference_0_2_choice_2) mod 256;
+      slice0cost_difference_0_3 <= (slice0cost_difference_0_3_choice - slice0cost_difference_0_3_choice_2) mod 256;
+      slice0cost_difference_0_4 <= (slice0cost_difference_0_4_choice - slice0cost_difference_0_4_choice_2) mod 256;
+      slice0cost_difference_0_5 <= (slice0cost_difference_0_5_choice - slice0cost_difference_0_5_choice_2) mod 256;
+      slice0cost_difference_0_6 <= (slice0cost_difference_0_6_choice - slice0cost_difference_0_6_choice_2) mod 256;
+      slice0cost_difference_0_7 <= (slice0cost_difference_0_7_choice - slice0cost_difference_0_7_choice_2) mod 256;
+      slice0cost_difference_0_8 <= (slice0cost_difference_0_8_choice - slice0cost_difference_0_8_choice_2) mod 256;
+      slice0cost_difference_0_9 <= (slice0cost_difference_0_9_choice - slice0cost_difference_0_9_choice_2) mod 256;
+      slice0cost_difference_0_10 <= (slice0cost_difference_0_10_choice - slice0cost_difference_0_10_choice_2) mod 256;
+      slice0cost_difference_0_11 <= (slice0cost_difference_0_11_choice - slice0cost_difference_0_11_choice_2) mod 256;
+      slice0cost_difference_0_12 <= (slice0cost_difference_0_12_choice - slice0cost_difference_0_12_choice_2) mod 256;
+      slice0cost_difference_0_13 <= (slice0cost_difference_0_13_choice - slice0cost_difference_0_13_choice_2) mod 256;
+      slice0cost_difference_0_14 <= (slice0cost_difference_0_14_choice - slice0cost_difference_0_14_choice_2) mod 256;
+      slice0cost_difference_0_15 <= (slice0cost_difference_0_15_choice - slice0cost_difference_0_15_choice_2) mod 256;
+      slice0cost_difference_0_16 <= (slice0cost_difference_0_16_choice - slice0cost_difference_0_16_choice_2) mod 256;
+      slice0cost_difference_0_17 <= (slice0cost_difference_0_17_choice - slice0cost_difference_0_17_choice_2) mod 256;
+      slice0cost_difference_0_18 <= (slice0cost_difference_0_18_choice - slice0cost_difference_0_18_choice_2) mod 256;
+      slice0cost_difference_0_19 <= (slice0cost_difference_0_19_choice - slice0cost_difference_0_19_choice_2) mod 256;
+      slice0cost_difference_0_20 <= (slice0cost_difference_0_20_choice - slice0cost_difference_0_20_choice_2) mod 256;
+      slice0cost_difference_0_21 <= (slice0cost_difference_0_21_choice - slice0cost_difference_0_21_choice_2) mod 256;
+      slice0cost_difference_0_22 <= (slice0cost_difference_0_22_choice - slice0cost_difference_0_22_choice_2) mod 256;
+      slice0cost_difference_0_23 <= (slice0cost_difference_0_23_choice - slice0cost_difference_0_23_choice_2) mod 256;
+      slice0cost_difference_0_24 <= (slice0cost_difference_0_24_choice - slice0cost_difference_0_24_choice_2) mod 256;
+      slice0cost_difference_1_0 <= (slice0cost_difference_1_0_choice - slice0cost_difference_1_0_choice_2) mod 256;
+      slice0cost_difference_1_1 <= (slice0cost_difference_1_1_choice - slice0cost_difference_1_1_choice_2) mod 256;
+      slice0cost_difference_1_2 <= (slice0cost_difference_1_2_choice - slice0cost_difference_1_2_choice_2) mod 256;
+      slice0cost_difference_1_3 <= (slice0cost_difference_1_3_choice - slice0cost_difference_1_3_choice_2) mod 256;
+      slice0cost_difference_1_4 <= (slice0cost_difference_1_4_choice - slice0cost_difference_1_4_choice_2) mod 256;
+      slice0cost_difference_1_5 <= (slice0cost_difference_1_5_choice - slice0cost_difference_1_5_choice_2) mod 256;
+      slice0cost_difference_1_6 <= (slice0cost_difference_1_6_choice - slice0cost_difference_1_6_choice_2) mod 256;
+      slice0cost_difference_1_7 <= (slice0cost_difference_1_7_choice - slice0cost_difference_1_7_choice_2) mod 256;
+      slice0cost_difference_1_8 <= (slice0cost_difference_1_8_choice - slice0cost_difference_1_8_choice_2) mod 256;
+      slice0cost_difference_1_9 <= (slice0cost_difference_1_9_choice - slice0cost_difference_1_9_choice_2) mod 256;
+      slice0cost_difference_1_10 <= (slice0cost_difference_1_10_choice - slice0cost_difference_1_10_choice_2) mod 256;
+      slice0cost_difference_1_11 <= (slice0cost_difference_1_11_choice - slice0cost_difference_1_11_choice_2) mod 256;
+      slice0cost_difference_1_12 <= (slice0cost_difference_1_12_choice - slice0cost_difference_1_12_choice_2) mod 256;
+      slice0cost_difference_1_13 <= (slice0cost_difference_1_13_choice - slice0cost_difference_1_13_choice_2) mod 256;
+      slice0cost_difference_1_14 <= (slice0cost_difference_1_14_choice - slice0cost_difference_1_14_choice_2) mod 256;
+      slice0cost_difference_1_15 <= (slice0cost_difference_1_15_choice - slice0cost_difference_1_15_choice_2) mod 256;
+      slice0cost_difference_1_16 <= (slice0cost_difference_1_16_choice - slice0cost_difference_1_16_choice_2) mod 256;
+      slice0cost_difference_1_17 <= (slice0cost_difference_1_17_choice - slice0cost_difference_1_17_choice_2) mod 256;
+      slice0cost_difference_1_18 <= (slice0cost_difference_1_18_choice - slice0cost_difference_1_18_choice_2) mod 256;
+      slice0cost_difference_1_19 <= (slice0cost_difference_1_19_choice - slice0cost_difference_1_19_choice_2) mod 256;
+      slice0cost_difference_1_20 <= (slice0cost_difference_1_20_choice - slice0cost_difference_1_20_choice_2) mod 256;
+      slice0cost_difference_1_21 <= (slice0cost_difference_1_21_choice - slice0cost_difference_1_21_choice_2) mod 256;
+      slice0cost_difference_1_22 <= (slice0cost_difference_1_22_choice - slice0cost_difference_1_22_choice_2) mod 256;
+      slice0cost_difference_1_23 <= (slice0cost_difference_1_23_choice - slice0cost_difference_1_23_choice_2) mod 256;
+      slice0cost_difference_1_24 <= (slice0cost_difference_1_24_choice - slice0cost_difference_1_24_choice_2) mod 256;
+      slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference when (slice0shift_tag_newest_inside mod 2) = 1
+        else 0;
+      slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference when (slice0shift_tag_newest_inside mod 2) =
+        1 else 0;
+      slice0cost_difference_3_0 <= slice0cost_difference_3_0_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_1 <= slice0cost_difference_3_1_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_2 <= slice0cost_difference_3_2_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_3 <= slice0cost_difference_3_3_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_4 <= slice0cost_difference_3_4_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_5 <= slice0cost_difference_3_5_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_6 <= slice0cost_difference_3_6_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_7 <= slice0cost_difference_3_7_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_8 <= slice0cost_difference_3_8_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_9 <= slice0cost_difference_3_9_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_10 <= slice0cost_difference_3_10_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_11 <= slice0cost_difference_3_11_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_12 <= slice0cost_difference_3_12_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_13 <= slice0cost_difference_3_13_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_14 <= slice0cost_difference_3_14_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_15 <= slice0cost_difference_3_15_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_16 <= slice0cost_difference_3_16_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_17 <= slice0cost_difference_3_17_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_18 <= slice0cost_difference_3_18_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_19 <= slice0cost_difference_3_19_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_20 <= slice0cost_difference_3_20_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_21 <= slice0cost_difference_3_21_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_22 <= slice0cost_difference_3_22_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_23 <= slice0cost_difference_3_23_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_difference_3_24 <= slice0cost_difference_3_24_difference when (slice0shift_tag_newest_inside / 2) = 1
+        else 0;
+      slice0cost_newest_negative_0_0 <= slice0cost_difference_2_0_difference < 0;
+      slice0cost_newest_negative_0_1 <= slice0cost_difference_2_1_difference < 0;
+      slice0cost_newest_negative_0_2 <= slice0cost_difference_2_2_difference < 0;
+      slice0cost_newest_negative_0_3 <= slice0cost_difference_2_3_difference < 0;
+      slice0cost_newest_negative_0_4 <= slice0cost_difference_2_4_difference < 0;
+      slice0cost_newest_negative_0_5 <= slice0cost_difference_2_5_difference < 0;
+      slice0cost_newest_negative_0_6 <= slice0cost_difference_2_6_difference < 0;
+      slice0cost_newest_negative_0_7 <= slice0cost_difference_2_7_difference < 0;
+      slice0cost_newest_negative_0_8 <= slice0cost_difference_2_8_difference < 0;
+      slice0cost_newest_negative_0_9 <= slice0cost_difference_2_9_difference < 0;
+      slice0cost_newest_negative_0_10 <= slice0cost_difference_2_10_difference < 0;
+      slice0cost_newest_negative_0_11 <= slice0cost_difference_2_11_difference < 0;
+      slice0cost_newest_negative_0_12 <= slice0cost_difference_2_12_difference < 0;
+      slice0cost_newest_negative_0_13 <= slice0cost_difference_2_13_difference < 0;
+      slice0cost_newest_negative_0_14 <= slice0cost_difference_2_14_difference < 0;
+      slice0cost_newest_negative_0_15 <= slice0cost_difference_2_15_difference < 0;
+      slice0cost_newest_negative_0_16 <= slice0cost_difference_2_16_difference < 0;
+      slice0cost_newest_negative_0_17 <= slice0cost_difference_2_17_difference < 0;
+      slice0cost_newest_negative_0_18 <= slice0cost_difference_2_18_difference < 0;
+      slice0cost_newest_negative_0_19 <= slice0cost_difference_2_19_difference < 0;
+      slice0cost_newest_negative_0_20 <= slice0cost_difference_2_20_difference < 0;
+      slice0cost_newest_negative_0_21 <= slice0cost_difference_2_21_difference < 0;
+      slice0cost_newest_negative_0_22 <= slice0cost_difference_2_22_difference < 0;
+      slice0cost_newest_negative_0_23 <= slice0cost_difference_2_23_difference < 0;
+      slice0cost_newest_negative_0_24 <= slice0cost_difference_2_24_difference < 0;
+      slice0cost_newest_negative_1_0 <= slice0cost_difference_3_0_difference < 0;
+      slice0cost_newest_negative_1_1 <= slice0cost_difference_3_1_difference < 0;
+      slice0cost_newest_negative_1_2 <= slice0cost_difference_3_2_difference < 0;
+      slice0cost_newest_negative_1_3 <= slice0cost_difference_3_3_difference < 0;
+      slice0cost_newest_negative_1_4 <= slice0cost_difference_3_4_difference < 0;
+      slice0cost_newest_negative_1_5 <= slice0cost_difference_3_5_difference < 0;
+      slice0cost_newest_negative_1_6 <= slice0cost_difference_3_6_difference < 0;
+      slice0cost_newest_negative_1_7 <= slice0cost_difference_3_7_difference < 0;
+      slice0cost_newest_negative_1_8 <= slice0cost_difference_3_8_difference < 0;
+      slice0cost_newest_negative_1_9 <= slice0cost_difference_3_9_difference < 0;
+      slice0cost_newest_negative_1_10 <= slice0cost_difference_3_10_difference < 0;
+      slice0cost_newest_negative_1_11 <= slice0cost_difference_3_11_difference < 0;
+      slice0cost_newest_negative_1_12 <= slice0cost_difference_3_12_difference < 0;
+      slice0cost_newest_negative_1_13 <= slice0cost_difference_3_13_difference < 0;
+      slice0cost_newest_negative_1_14 <= slice0cost_difference_3_14_difference < 0;
+      slice0cost_newest_negative_1_15 <= slice0cost_difference_3_15_difference < 0;
+      slice0cost_newest_negative_1_16 <= slice0cost_difference_3_16_difference < 0;
+      slice0cost_newest_negative_1_17 <= slice0cost_difference_3_17_difference < 0;
+      slice0cost_newest_negative_1_18 <= slice0cost_difference_3_18_difference < 0;
+      slice0cost_newest_negative_1_19 <= slice0cost_difference_3_19_difference < 0;
+      slice0cost_newest_negative_1_20 <= slice0cost_difference_3_20_difference < 0;
+      slice0cost_newest_negative_1_21 <= slice0cost_difference_3_21_difference < 0;
+      slice0cost_newest_negative_1_22 <= slice0cost_difference_3_22_difference < 0;
+      slice0cost_newest_negative_1_23 <= slice0cost_difference_3_23_difference < 0;
+      slice0cost_newest_negative_1_24 <= slice0cost_difference_3_24_difference < 0;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
-        as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
-        as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
-        as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
-        as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
-        as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_0_8 <= slice0cost_pair_0_8_choice + folded(slice0cost_difference_1_8) +
-        as_number((slice0cost_difference_1_8 < 0));
-      slice0cost_pair_0_9 <= slice0cost_pair_0_9_choice + folded(slice0cost_difference_1_9) +
-        as_number((slice0cost_difference_1_9 < 0));
-      slice0cost_pair_0_10 <= slice0cost_pair_0_10_choice + folded(slice0cost_difference_1_10) +
-        as_number((slice0cost_difference_1_10 < 0));
-      slice0cost_pair_0_11 <= slice0cost_pair_0_11_choice + folded(slice0cost_difference_1_11) +
-        as_number((slice0cost_difference_1_11 < 0));
-      slice0cost_pair_0_12 <= slice0cost_pair_0_12_choice + folded(slice0cost_difference_1_12) +
-        as_number((slice0cost_difference_1_12 < 0));
-      slice0cost_pair_0_13 <= slice0cost_pair_0_13_choice + folded(slice0cost_difference_1_13) +
-        as_number((slice0cost_difference_1_13 < 0));
-      slice0cost_pair_0_14 <= slice0cost_pair_0_14_choice + folded(slice0cost_difference_1_14) +
-        as_number((slice0cost_difference_1_14 < 0));
-      slice0cost_pair_0_15 <= slice0cost_pair_0_15_choice + folded(slice0cost_difference_1_15) +
-        as_number((slice0cost_difference_1_15 < 0));
-      slice0cost_pair_0_16 <= slice0cost_pair_0_16_choice + folded(slice0cost_difference_1_16) +
-        as_number((slice0cost_difference_1_16 < 0));
-      slice0cost_pair_0_17 <= slice0cost_pair_0_17_choice + folded(slice0cost_difference_1_17) +
-        as_number((slice0cost_difference_1_17 < 0));
-      slice0cost_pair_0_18 <= slice0cost_pair_0_18_choice + folded(slice0cost_difference_1_18) +
-        as_number((slice0cost_difference_1_18 < 0));
-      slice0cost_pair_0_19 <= slice0cost_pair_0_19_choice + folded(slice0cost_difference_1_19) +
-        as_number((slice0cost_difference_1_19 < 0));
-      slice0cost_pair_0_20 <= slice0cost_pair_0_20_choice + folded(slice0cost_difference_1_20) +
-        as_number((slice0cost_difference_1_20 < 0));
-      slice0cost_pair_0_21 <= slice0cost_pair_0_21_choice + folded(slice0cost_difference_1_21) +
-        as_number((slice0cost_difference_1_21 < 0));
-      slice0cost_pair_0_22 <= slice0cost_pair_0_22_choice + folded(slice0cost_difference_1_22) +
-        as_number((slice0cost_difference_1_22 < 0));
-      slice0cost_pair_0_23 <= slice0cost_pair_0_23_choice + folded(slice0cost_difference_1_23) +
-        as_number((slice0cost_difference_1_23 < 0));
-      slice0cost_pair_0_24 <= slice0cost_pair_0_24_choice + folded(slice0cost_difference_1_24) +
-        as_number((slice0cost_difference_1_24 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_single_0_8 <= folded(slice0cost_difference_0_8);
-      slice0cost_single_0_9 <= folded(slice0cost_difference_0_9);
-      slice0cost_single_0_10 <= folded(slice0cost_difference_0_10);
-      slice0cost_single_0_11 <= folded(slice0cost_difference_0_11);
-      slice0cost_single_0_12 <= folded(slice0cost_difference_0_12);
-      slice0cost_single_0_13 <= folded(slice0cost_difference_0_13);
-      slice0cost_single_0_14 <= folded(slice0cost_difference_0_14);
-      slice0cost_single_0_15 <= folded(slice0cost_difference_0_15);
-      slice0cost_single_0_16 <= folded(slice0cost_difference_0_16);
-      slice0cost_single_0_17 <= folded(slice0cost_difference_0_17);
-      slice0cost_single_0_18 <= folded(slice0cost_difference_0_18);
-      slice0cost_single_0_19 <= folded(slice0cost_difference_0_19);
-      slice0cost_single_0_20 <= folded(slice0cost_difference_0_20);
-      slice0cost_single_0_21 <= folded(slice0cost_difference_0_21);
-      slice0cost_single_0_22 <= folded(slice0cost_difference_0_22);
-      slice0cost_single_0_23 <= folded(slice0cost_difference_0_23);
-      slice0cost_single_0_24 <= folded(slice0cost_difference_0_24);
+      slice0cost_pair_0_0 <= as_number((slice0cost_difference_2_0 < 0)) + slice0cost_difference_1_0 +
+        folded(slice0cost_difference_2_0);
+      slice0cost_pair_0_1 <= as_number((slice0cost_difference_2_1 < 0)) + slice0cost_difference_1_1 +
+        folded(slice0cost_difference_2_1);
+      slice0cost_pair_0_2 <= as_number((slice0cost_difference_2_2 < 0)) + slice0cost_difference_1_2 +
+        folded(slice0cost_difference_2_2);
+      slice0cost_pair_0_3 <= as_number((slice0cost_difference_2_3 < 0)) + slice0cost_difference_1_3 +
+        folded(slice0cost_difference_2_3);
+      slice0cost_pair_0_4 <= as_number((slice0cost_difference_2_4 < 0)) + slice0cost_difference_1_4 +
+        folded(slice0cost_difference_2_4);
+      slice0cost_pair_0_5 <= as_number((slice0cost_difference_2_5 < 0)) + slice0cost_difference_1_5 +
+        folded(slice0cost_difference_2_5);
+      slice0cost_pair_0_6 <= as_number((slice0cost_difference_2_6 < 0)) + slice0cost_difference_1_6 +
+        folded(slice0cost_difference_2_6);
+      slice0cost_pair_0_7 <= as_number((slice0cost_difference_2_7 < 0)) + slice0cost_difference_1_7 +
+        folded(slice0cost_difference_2_7);
+      slice0cost_pair_0_8 <= as_number((slice0cost_difference_2_8 < 0)) + slice0cost_difference_1_8 +
+        folded(slice0cost_difference_2_8);
+      slice0cost_pair_0_9 <= as_number((slice0cost_difference_2_9 < 0)) + slice0cost_difference_1_9 +
+        folded(slice0cost_difference_2_9);
+      slice0cost_pair_0_10 <= as_number((slice0cost_difference_2_10 < 0)) + slice0cost_difference_1_10 +
+        folded(slice0cost_difference_2_10);
+      slice0cost_pair_0_11 <= as_number((slice0cost_difference_2_11 < 0)) + slice0cost_difference_1_11 +
+        folded(slice0cost_difference_2_11);
+      slice0cost_pair_0_12 <= as_number((slice0cost_difference_2_12 < 0)) + slice0cost_difference_1_12 +
+        folded(slice0cost_difference_2_12);
+      slice0cost_pair_0_13 <= as_number((slice0cost_difference_2_13 < 0)) + slice0cost_difference_1_13 +
+        folded(slice0cost_difference_2_13);
+      slice0cost_pair_0_14 <= as_number((slice0cost_difference_2_14 < 0)) + slice0cost_difference_1_14 +
+        folded(slice0cost_difference_2_14);
+      slice0cost_pair_0_15 <= as_number((slice0cost_difference_2_15 < 0)) + slice0cost_difference_1_15 +
+        folded(slice0cost_difference_2_15);
+      slice0cost_pair_0_16 <= as_number((slice0cost_difference_2_16 < 0)) + slice0cost_difference_1_16 +
+        folded(slice0cost_difference_2_16);
+      slice0cost_pair_0_17 <= as_number((slice0cost_difference_2_17 < 0)) + slice0cost_difference_1_17 +
+        folded(slice0cost_difference_2_17);
+      slice0cost_pair_0_18 <= as_number((slice0cost_difference_2_18 < 0)) + slice0cost_difference_1_18 +
+        folded(slice0cost_difference_2_18);
+      slice0cost_pair_0_19 <= as_number((slice0cost_difference_2_19 < 0)) + slice0cost_difference_1_19 +
+        folded(slice0cost_difference_2_19);
+      slice0cost_pair_0_20 <= as_number((slice0cost_difference_2_20 < 0)) + slice0cost_difference_1_20 +
+        folded(slice0cost_difference_2_20);
+      slice0cost_pair_0_21 <= as_number((slice0cost_difference_2_21 < 0)) + slice0cost_difference_1_21 +
+        folded(slice0cost_difference_2_21);
+      slice0cost_pair_0_22 <= as_number((slice0cost_difference_2_22 < 0)) + slice0cost_difference_1_22 +
+        folded(slice0cost_difference_2_22);
+      slice0cost_pair_0_23 <= as_number((slice0cost_difference_2_23 < 0)) + slice0cost_difference_1_23 +
+        folded(slice0cost_difference_2_23);
+      slice0cost_pair_0_24 <= as_number((slice0cost_difference_2_24 < 0)) + slice0cost_difference_1_24 +
+        folded(slice0cost_difference_2_24);
+      slice0cost_single_0_0 <= slice0cost_difference_0_0;
+      slice0cost_single_0_1 <= slice0cost_difference_0_1;
+      slice0cost_single_0_2 <= slice0cost_difference_0_2;
+      slice0cost_single_0_3 <= slice0cost_difference_0_3;
+      slice0cost_single_0_4 <= slice0cost_difference_0_4;
+      slice0cost_single_0_5 <= slice0cost_difference_0_5;
+      slice0cost_single_0_6 <= slice0cost_difference_0_6;
+      slice0cost_single_0_7 <= slice0cost_difference_0_7;
+      slice0cost_single_0_8 <= slice0cost_difference_0_8;
+      slice0cost_single_0_9 <= slice0cost_difference_0_9;
+      slice0cost_single_0_10 <= slice0cost_difference_0_10;
+      slice0cost_single_0_11 <= slice0cost_difference_0_11;
+      slice0cost_single_0_12 <= slice0cost_difference_0_12;
+      slice0cost_single_0_13 <= slice0cost_difference_0_13;
+      slice0cost_single_0_14 <= slice0cost_difference_0_14;
+      slice0cost_single_0_15 <= slice0cost_difference_0_15;
+      slice0cost_single_0_16 <= slice0cost_difference_0_16;
+      slice0cost_single_0_17 <= slice0cost_difference_0_17;
+      slice0cost_single_0_18 <= slice0cost_difference_0_18;
+      slice0cost_single_0_19 <= slice0cost_difference_0_19;
+      slice0cost_single_0_20 <= slice0cost_difference_0_20;
+      slice0cost_single_0_21 <= slice0cost_difference_0_21;
+      slice0cost_single_0_22 <= slice0cost_difference_0_22;
+      slice0cost_single_0_23 <= slice0cost_difference_0_23;
+      slice0cost_single_0_24 <= slice0cost_difference_0_24;
       slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
       slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
       slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
@@ -1862,166 +2785,174 @@ begin
       slice0cost_single_3_22 <= folded(slice0cost_difference_3_22);
       slice0cost_single_3_23 <= folded(slice0cost_difference_3_23);
       slice0cost_single_3_24 <= folded(slice0cost_difference_3_24);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
-      slice0cost_negative_0_8 <= slice0cost_difference_0_8 < 0;
-      slice0cost_negative_0_9 <= slice0cost_difference_0_9 < 0;
-      slice0cost_negative_0_10 <= slice0cost_difference_0_10 < 0;
-      slice0cost_negative_0_11 <= slice0cost_difference_0_11 < 0;
-      slice0cost_negative_0_12 <= slice0cost_difference_0_12 < 0;
-      slice0cost_negative_0_13 <= slice0cost_difference_0_13 < 0;
-      slice0cost_negative_0_14 <= slice0cost_difference_0_14 < 0;
-      slice0cost_negative_0_15 <= slice0cost_difference_0_15 < 0;
-      slice0cost_negative_0_16 <= slice0cost_difference_0_16 < 0;
-      slice0cost_negative_0_17 <= slice0cost_difference_0_17 < 0;
-      slice0cost_negative_0_18 <= slice0cost_difference_0_18 < 0;
-      slice0cost_negative_0_19 <= slice0cost_difference_0_19 < 0;
-      slice0cost_negative_0_20 <= slice0cost_difference_0_20 < 0;
-      slice0cost_negative_0_21 <= slice0cost_difference_0_21 < 0;
-      slice0cost_negative_0_22 <= slice0cost_difference_0_22 < 0;
-      slice0cost_negative_0_23 <= slice0cost_difference_0_23 < 0;
-      slice0cost_negative_0_24 <= slice0cost_difference_0_24 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
-      slice0cost_negative_3_3 <= slice0cost_difference_3_3 < 0;
-      slice0cost_negative_3_4 <= slice0cost_difference_3_4 < 0;
-      slice0cost_negative_3_5 <= slice0cost_difference_3_5 < 0;
-      slice0cost_negative_3_6 <= slice0cost_difference_3_6 < 0;
-      slice0cost_negative_3_7 <= slice0cost_difference_3_7 < 0;
-      slice0cost_negative_3_8 <= slice0cost_difference_3_8 < 0;
-      slice0cost_negative_3_9 <= slice0cost_difference_3_9 < 0;
-      slice0cost_negative_3_10 <= slice0cost_difference_3_10 < 0;
-      slice0cost_negative_3_11 <= slice0cost_difference_3_11 < 0;
-      slice0cost_negative_3_12 <= slice0cost_difference_3_12 < 0;
-      slice0cost_negative_3_13 <= slice0cost_difference_3_13 < 0;
-      slice0cost_negative_3_14 <= slice0cost_difference_3_14 < 0;
-      slice0cost_negative_3_15 <= slice0cost_difference_3_15 < 0;
-      slice0cost_negative_3_16 <= slice0cost_difference_3_16 < 0;
-      slice0cost_negative_3_17 <= slice0cost_difference_3_17 < 0;
-      slice0cost_negative_3_18 <= slice0cost_difference_3_18 < 0;
-      slice0cost_negative_3_19 <= slice0cost_difference_3_19 < 0;
-      slice0cost_negative_3_20 <= slice0cost_difference_3_20 < 0;
-      slice0cost_negative_3_21 <= slice0cost_difference_3_21 < 0;
-      slice0cost_negative_3_22 <= slice0cost_difference_3_22 < 0;
-      slice0cost_negative_3_23 <= slice0cost_difference_3_23 < 0;
-      slice0cost_negative_3_24 <= slice0cost_difference_3_24 < 0;
+      slice0cost_single_negative_3_0 <= slice0cost_difference_3_0 < 0;
+      slice0cost_single_negative_3_1 <= slice0cost_difference_3_1 < 0;
+      slice0cost_single_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_single_negative_3_3 <= slice0cost_difference_3_3 < 0;
+      slice0cost_single_negative_3_4 <= slice0cost_difference_3_4 < 0;
+      slice0cost_single_negative_3_5 <= slice0cost_difference_3_5 < 0;
+      slice0cost_single_negative_3_6 <= slice0cost_difference_3_6 < 0;
+      slice0cost_single_negative_3_7 <= slice0cost_difference_3_7 < 0;
+      slice0cost_single_negative_3_8 <= slice0cost_difference_3_8 < 0;
+      slice0cost_single_negative_3_9 <= slice0cost_difference_3_9 < 0;
+      slice0cost_single_negative_3_10 <= slice0cost_difference_3_10 < 0;
+      slice0cost_single_negative_3_11 <= slice0cost_difference_3_11 < 0;
+      slice0cost_single_negative_3_12 <= slice0cost_difference_3_12 < 0;
+      slice0cost_single_negative_3_13 <= slice0cost_difference_3_13 < 0;
+      slice0cost_single_negative_3_14 <= slice0cost_difference_3_14 < 0;
+      slice0cost_single_negative_3_15 <= slice0cost_difference_3_15 < 0;
+      slice0cost_single_negative_3_16 <= slice0cost_difference_3_16 < 0;
+      slice0cost_single_negative_3_17 <= slice0cost_difference_3_17 < 0;
+      slice0cost_single_negative_3_18 <= slice0cost_difference_3_18 < 0;
+      slice0cost_single_negative_3_19 <= slice0cost_difference_3_19 < 0;
+      slice0cost_single_negative_3_20 <= slice0cost_difference_3_20 < 0;
+      slice0cost_single_negative_3_21 <= slice0cost_difference_3_21 < 0;
+      slice0cost_single_negative_3_22 <= slice0cost_difference_3_22 < 0;
+      slice0cost_single_negative_3_23 <= slice0cost_difference_3_23 < 0;
+      slice0cost_single_negative_3_24 <= slice0cost_difference_3_24 < 0;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7;
-      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_8) +
-        slice0cost_pair_0_8 + slice0cost_single_0_8;
-      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_9) +
-        slice0cost_pair_0_9 + slice0cost_single_0_9;
-      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_10) +
-        slice0cost_pair_0_10 + slice0cost_single_0_10;
-      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_11) +
-        slice0cost_pair_0_11 + slice0cost_single_0_11;
-      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_12) +
-        slice0cost_pair_0_12 + slice0cost_single_0_12;
-      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_13) +
-        slice0cost_pair_0_13 + slice0cost_single_0_13;
-      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_14) +
-        slice0cost_pair_0_14 + slice0cost_single_0_14;
-      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_15) +
-        slice0cost_pair_0_15 + slice0cost_single_0_15;
-      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_16) +
-        slice0cost_pair_0_16 + slice0cost_single_0_16;
-      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_17) +
-        slice0cost_pair_0_17 + slice0cost_single_0_17;
-      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_18) +
-        slice0cost_pair_0_18 + slice0cost_single_0_18;
-      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_19) +
-        slice0cost_pair_0_19 + slice0cost_single_0_19;
-      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_20) +
-        slice0cost_pair_0_20 + slice0cost_single_0_20;
-      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_21) +
-        slice0cost_pair_0_21 + slice0cost_single_0_21;
-      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_22) +
-        slice0cost_pair_0_22 + slice0cost_single_0_22;
-      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_23) +
-        slice0cost_pair_0_23 + slice0cost_single_0_23;
-      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_24) +
-        slice0cost_pair_0_24 + slice0cost_single_0_24;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
-      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_3) +
-        slice0cost_pair_0_3 + slice0cost_single_3_3;
-      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_4) +
-        slice0cost_pair_0_4 + slice0cost_single_3_4;
-      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_5) +
-        slice0cost_pair_0_5 + slice0cost_single_3_5;
-      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_6) +
-        slice0cost_pair_0_6 + slice0cost_single_3_6;
-      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_7) +
-        slice0cost_pair_0_7 + slice0cost_single_3_7;
-      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_8) +
-        slice0cost_pair_0_8 + slice0cost_single_3_8;
-      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_9) +
-        slice0cost_pair_0_9 + slice0cost_single_3_9;
-      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_10) +
-        slice0cost_pair_0_10 + slice0cost_single_3_10;
-      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_11) +
-        slice0cost_pair_0_11 + slice0cost_single_3_11;
-      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_12) +
-        slice0cost_pair_0_12 + slice0cost_single_3_12;
-      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_13) +
-        slice0cost_pair_0_13 + slice0cost_single_3_13;
-      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_14) +
-        slice0cost_pair_0_14 + slice0cost_single_3_14;
-      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_15) +
-        slice0cost_pair_0_15 + slice0cost_single_3_15;
-      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_16) +
-        slice0cost_pair_0_16 + slice0cost_single_3_16;
-      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_17) +
-        slice0cost_pair_0_17 + slice0cost_single_3_17;
-      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_18) +
-        slice0cost_pair_0_18 + slice0cost_single_3_18;
-      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_19) +
-        slice0cost_pair_0_19 + slice0cost_single_3_19;
-      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_20) +
-        slice0cost_pair_0_20 + slice0cost_single_3_20;
-      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_21) +
-        slice0cost_pair_0_21 + slice0cost_single_3_21;
-      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_22) +
-        slice0cost_pair_0_22 + slice0cost_single_3_22;
-      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_23) +
-        slice0cost_pair_0_23 + slice0cost_single_3_23;
-      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_24) +
-        slice0cost_pair_0_24 + slice0cost_single_3_24;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
+        slice0cost_single_0_5;
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
+        slice0cost_single_0_6;
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
+        slice0cost_single_0_7;
+      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
+        slice0cost_single_0_8;
+      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
+        slice0cost_single_0_9;
+      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
+        slice0cost_single_0_10;
+      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
+        slice0cost_single_0_11;
+      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
+        slice0cost_single_0_12;
+      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
+        slice0cost_single_0_13;
+      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
+        slice0cost_single_0_14;
+      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
+        slice0cost_single_0_15;
+      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
+        slice0cost_single_0_16;
+      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
+        slice0cost_single_0_17;
+      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
+        slice0cost_single_0_18;
+      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
+        slice0cost_single_0_19;
+      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
+        slice0cost_single_0_20;
+      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
+        slice0cost_single_0_21;
+      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
+        slice0cost_single_0_22;
+      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
+        slice0cost_single_0_23;
+      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
+        slice0cost_single_0_24;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_0)
+        + slice0cost_pair_0_0 + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_1)
+        + slice0cost_pair_0_1 + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_2)
+        + slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_3)
+        + slice0cost_pair_0_3 + slice0cost_single_3_3;
+      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_4)
+        + slice0cost_pair_0_4 + slice0cost_single_3_4;
+      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_5)
+        + slice0cost_pair_0_5 + slice0cost_single_3_5;
+      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_6)
+        + slice0cost_pair_0_6 + slice0cost_single_3_6;
+      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_7)
+        + slice0cost_pair_0_7 + slice0cost_single_3_7;
+      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_8)
+        + slice0cost_pair_0_8 + slice0cost_single_3_8;
+      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_9)
+        + slice0cost_pair_0_9 + slice0cost_single_3_9;
+      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_10) + slice0cost_pair_0_10 + slice0cost_single_3_10;
+      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_11) + slice0cost_pair_0_11 + slice0cost_single_3_11;
+      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_12) + slice0cost_pair_0_12 + slice0cost_single_3_12;
+      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_13) + slice0cost_pair_0_13 + slice0cost_single_3_13;
+      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_14) + slice0cost_pair_0_14 + slice0cost_single_3_14;
+      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_15) + slice0cost_pair_0_15 + slice0cost_single_3_15;
+      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_16) + slice0cost_pair_0_16 + slice0cost_single_3_16;
+      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_17) + slice0cost_pair_0_17 + slice0cost_single_3_17;
+      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_18) + slice0cost_pair_0_18 + slice0cost_single_3_18;
+      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_19) + slice0cost_pair_0_19 + slice0cost_single_3_19;
+      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_20) + slice0cost_pair_0_20 + slice0cost_single_3_20;
+      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_21) + slice0cost_pair_0_21 + slice0cost_single_3_21;
+      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_22) + slice0cost_pair_0_22 + slice0cost_single_3_22;
+      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_23) + slice0cost_pair_0_23 + slice0cost_single_3_23;
+      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else
+        as_number(slice0cost_single_negative_3_24) + slice0cost_pair_0_24 + slice0cost_single_3_24;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_newest_inside <= slice0cost_pair_tag_newest_inside;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_difference_tag_valid then
+        slice0cost_signs_write_column <= slice0cost_signs_difference_column;
+        slice0cost_signs_write_words_0 <= (as_number(slice0cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice0cost_newest_negative_0_24) * 16777216) + (as_number(slice0cost_newest_negative_0_22) *
+          4194304) + (as_number(slice0cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice0cost_newest_negative_0_20) * 1048576) + (as_number(slice0cost_newest_negative_0_19) *
+          524288) + (as_number(slice0cost_newest_negative_0_18) * 262144) + (as_number(slice0cost_newest_negative_0_17)
+          * 131072) + (as_number(slice0cost_newest_negative_0_16) * 65536) +
+          (as_number(slice0cost_newest_negative_0_15) * 32768) + (as_number(slice0cost_newest_negative_0_14) * 16384) +
+          (as_number(slice0cost_newest_negative_0_13) * 8192) + (as_number(slice0cost_newest_negative_0_12) * 4096) +
+          (as_number(slice0cost_newest_negative_0_11) * 2048) + (as_number(slice0cost_newest_negative_0_10) * 1024) +
+          (as_number(slice0cost_newest_negative_0_9) * 512) + (as_number(slice0cost_newest_negative_0_8) * 256) +
+          (as_number(slice0cost_newest_negative_0_6) * 64) + (as_number(slice0cost_newest_negative_0_7) * 128) +
+          (as_number(slice0cost_newest_negative_0_5) * 32) + (as_number(slice0cost_newest_negative_0_4) * 16) +
+          (as_number(slice0cost_newest_negative_0_3) * 8) + (as_number(slice0cost_newest_negative_0_2) * 4) +
+          as_number(slice0cost_newest_negative_0_0) + (as_number(slice0cost_newest_negative_0_1) * 2);
+        slice0cost_signs_write_words_1 <= (as_number(slice0cost_newest_negative_1_23) * 8388608) +
+          (as_number(slice0cost_newest_negative_1_24) * 16777216) + (as_number(slice0cost_newest_negative_1_22) *
+          4194304) + (as_number(slice0cost_newest_negative_1_21) * 2097152) +
+          (as_number(slice0cost_newest_negative_1_20) * 1048576) + (as_number(slice0cost_newest_negative_1_19) *
+          524288) + (as_number(slice0cost_newest_negative_1_18) * 262144) + (as_number(slice0cost_newest_negative_1_17)
+          * 131072) + (as_number(slice0cost_newest_negative_1_16) * 65536) +
+          (as_number(slice0cost_newest_negative_1_15) * 32768) + (as_number(slice0cost_newest_negative_1_14) * 16384) +
+          (as_number(slice0cost_newest_negative_1_13) * 8192) + (as_number(slice0cost_newest_negative_1_12) * 4096) +
+          (as_number(slice0cost_newest_negative_1_11) * 2048) + (as_number(slice0cost_newest_negative_1_10) * 1024) +
+          (as_number(slice0cost_newest_negative_1_9) * 512) + (as_number(slice0cost_newest_negative_1_8) * 256) +
+          (as_number(slice0cost_newest_negative_1_6) * 64) + (as_number(slice0cost_newest_negative_1_7) * 128) +
+          (as_number(slice0cost_newest_negative_1_5) * 32) + (as_number(slice0cost_newest_negative_1_4) * 16) +
+          (as_number(slice0cost_newest_negative_1_3) * 8) + (as_number(slice0cost_newest_negative_1_2) * 4) +
+          as_number(slice0cost_newest_negative_1_0) + (as_number(slice0cost_newest_negative_1_1) * 2);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -2183,266 +3114,397 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8_is_less := slice0window_sum_0_17 < slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9_is_less := slice0window_sum_0_19 < slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10_is_less := slice0window_sum_0_21 < slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11_is_less := slice0window_sum_0_23 < slice0window_sum_0_22;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1_is_less := slice0window_sum_1_3 < slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2_is_less := slice0window_sum_1_5 < slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3_is_less := slice0window_sum_1_7 < slice0window_sum_1_6;
-      slice0winner1_best_cost_1_4_is_less := slice0window_sum_1_9 < slice0window_sum_1_8;
-      slice0winner1_best_cost_1_5_is_less := slice0window_sum_1_11 < slice0window_sum_1_10;
-      slice0winner1_best_cost_1_6_is_less := slice0window_sum_1_13 < slice0window_sum_1_12;
-      slice0winner1_best_cost_1_7_is_less := slice0window_sum_1_15 < slice0window_sum_1_14;
-      slice0winner1_best_cost_1_8_is_less := slice0window_sum_1_17 < slice0window_sum_1_16;
-      slice0winner1_best_cost_1_9_is_less := slice0window_sum_1_19 < slice0window_sum_1_18;
-      slice0winner1_best_cost_1_10_is_less := slice0window_sum_1_21 < slice0window_sum_1_20;
-      slice0winner1_best_cost_1_11_is_less := slice0window_sum_1_23 < slice0window_sum_1_22;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
-      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
-        slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
-        slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
-        slice0window_sum_1_6;
-      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
-        slice0window_sum_1_8;
-      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
-        slice0window_sum_1_10;
-      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
-        slice0window_sum_1_12;
-      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
-        slice0window_sum_1_14;
-      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
-        slice0window_sum_1_16;
-      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
-        slice0window_sum_1_18;
-      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
-        slice0window_sum_1_20;
-      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
-        slice0window_sum_1_22;
-      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
-      slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
-      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
-      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
-      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
-      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
-      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
-      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
-      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
-      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
-      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
-      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4_is_less := slice0winner1_best_cost_0_9 < slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5_is_less := slice0winner1_best_cost_0_11 < slice0winner1_best_cost_0_10;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1_is_less := slice0winner1_best_cost_1_3 < slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_1_2_is_less := slice0winner1_best_cost_1_5 < slice0winner1_best_cost_1_4;
-      slice0winner2_best_cost_1_3_is_less := slice0winner1_best_cost_1_7 < slice0winner1_best_cost_1_6;
-      slice0winner2_best_cost_1_4_is_less := slice0winner1_best_cost_1_9 < slice0winner1_best_cost_1_8;
-      slice0winner2_best_cost_1_5_is_less := slice0winner1_best_cost_1_11 < slice0winner1_best_cost_1_10;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
-      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
-        slice0winner1_best_cost_1_4;
-      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_cost_1_6;
-      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_cost_1_8;
-      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_cost_1_10;
-      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
-      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_index_1_2;
-      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
-        slice0winner1_best_index_1_4;
-      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_index_1_6;
-      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_index_1_8;
-      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_index_1_10;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_of_pair_1_8_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
+      slice0winner1_of_pair_1_10_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
+      slice0winner1_of_pair_1_12_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
+      slice0winner1_of_pair_1_14_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
+      slice0winner1_of_pair_1_16_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
+      slice0winner1_of_pair_1_18_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
+      slice0winner1_of_pair_1_20_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
+      slice0winner1_of_pair_1_22_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
+      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
+      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_13, 12))))) < 0;
+      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_17, 12))))) < 0;
+      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_21, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
+      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_5, 12))))) < 0;
+      slice0winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_10, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_8, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_9, 12))))) < 0;
+      slice0winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_14, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_12, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_13, 12))))) < 0;
+      slice0winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_18, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_16, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_17, 12))))) < 0;
+      slice0winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_22, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_20, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_21, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
+      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
+      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
+      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
+      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
+      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
+      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
+      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
+      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
+      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
+      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
+      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
+      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
+      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
+      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
+      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
+      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
+      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
+      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
+      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
+      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
+      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
+      slice0winner1_of_pair_1_8 <= 0 when slice0winner1_of_pair_1_8_is_less else slice0window_sum_1_8;
+      slice0winner1_of_pair_1_9 <= slice0window_sum_1_9 when slice0winner1_of_pair_1_8_is_less else 0;
+      slice0winner1_of_pair_1_10 <= 0 when slice0winner1_of_pair_1_10_is_less else slice0window_sum_1_10;
+      slice0winner1_of_pair_1_11 <= slice0window_sum_1_11 when slice0winner1_of_pair_1_10_is_less else 0;
+      slice0winner1_of_pair_1_12 <= 0 when slice0winner1_of_pair_1_12_is_less else slice0window_sum_1_12;
+      slice0winner1_of_pair_1_13 <= slice0window_sum_1_13 when slice0winner1_of_pair_1_12_is_less else 0;
+      slice0winner1_of_pair_1_14 <= 0 when slice0winner1_of_pair_1_14_is_less else slice0window_sum_1_14;
+      slice0winner1_of_pair_1_15 <= slice0window_sum_1_15 when slice0winner1_of_pair_1_14_is_less else 0;
+      slice0winner1_of_pair_1_16 <= 0 when slice0winner1_of_pair_1_16_is_less else slice0window_sum_1_16;
+      slice0winner1_of_pair_1_17 <= slice0window_sum_1_17 when slice0winner1_of_pair_1_16_is_less else 0;
+      slice0winner1_of_pair_1_18 <= 0 when slice0winner1_of_pair_1_18_is_less else slice0window_sum_1_18;
+      slice0winner1_of_pair_1_19 <= slice0window_sum_1_19 when slice0winner1_of_pair_1_18_is_less else 0;
+      slice0winner1_of_pair_1_20 <= 0 when slice0winner1_of_pair_1_20_is_less else slice0window_sum_1_20;
+      slice0winner1_of_pair_1_21 <= slice0window_sum_1_21 when slice0winner1_of_pair_1_20_is_less else 0;
+      slice0winner1_of_pair_1_22 <= 0 when slice0winner1_of_pair_1_22_is_less else slice0window_sum_1_22;
+      slice0winner1_of_pair_1_23 <= slice0window_sum_1_23 when slice0winner1_of_pair_1_22_is_less else 0;
+      slice0winner1_of_pair_1_24 <= slice0window_sum_1_24;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
+      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
+      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
+      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
+      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
+      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
+      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
+      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
+      slice0winner1_pair_index_0_12 <= 24;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
+      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
+      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
+      slice0winner1_pair_index_1_4 <= 9 when slice0winner1_of_pair_1_8_is_less else 8;
+      slice0winner1_pair_index_1_5 <= 11 when slice0winner1_of_pair_1_10_is_less else 10;
+      slice0winner1_pair_index_1_6 <= 13 when slice0winner1_of_pair_1_12_is_less else 12;
+      slice0winner1_pair_index_1_7 <= 15 when slice0winner1_of_pair_1_14_is_less else 14;
+      slice0winner1_pair_index_1_8 <= 17 when slice0winner1_of_pair_1_16_is_less else 16;
+      slice0winner1_pair_index_1_9 <= 19 when slice0winner1_of_pair_1_18_is_less else 18;
+      slice0winner1_pair_index_1_10 <= 21 when slice0winner1_of_pair_1_20_is_less else 20;
+      slice0winner1_pair_index_1_11 <= 23 when slice0winner1_of_pair_1_22_is_less else 22;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
+      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
+      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
+      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
+      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
+      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
+      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
+      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
+      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
+      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
+      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
+      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
+      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
+      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
+      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_1_8 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_8;
+      slice0winner1_of_four_1_9 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_9;
+      slice0winner1_of_four_1_10 <= slice0winner1_of_pair_1_10 when slice0winner1_of_four_1_8_is_less else 0;
+      slice0winner1_of_four_1_11 <= slice0winner1_of_pair_1_11 when slice0winner1_of_four_1_8_is_less else 0;
+      slice0winner1_of_four_1_12 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_12;
+      slice0winner1_of_four_1_13 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_13;
+      slice0winner1_of_four_1_14 <= slice0winner1_of_pair_1_14 when slice0winner1_of_four_1_12_is_less else 0;
+      slice0winner1_of_four_1_15 <= slice0winner1_of_pair_1_15 when slice0winner1_of_four_1_12_is_less else 0;
+      slice0winner1_of_four_1_16 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_16;
+      slice0winner1_of_four_1_17 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_17;
+      slice0winner1_of_four_1_18 <= slice0winner1_of_pair_1_18 when slice0winner1_of_four_1_16_is_less else 0;
+      slice0winner1_of_four_1_19 <= slice0winner1_of_pair_1_19 when slice0winner1_of_four_1_16_is_less else 0;
+      slice0winner1_of_four_1_20 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_20;
+      slice0winner1_of_four_1_21 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_21;
+      slice0winner1_of_four_1_22 <= slice0winner1_of_pair_1_22 when slice0winner1_of_four_1_20_is_less else 0;
+      slice0winner1_of_four_1_23 <= slice0winner1_of_pair_1_23 when slice0winner1_of_four_1_20_is_less else 0;
+      slice0winner1_of_four_1_24 <= slice0winner1_of_pair_1_24;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
+        slice0winner1_pair_index_0_4;
+      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
+        slice0winner1_pair_index_0_6;
+      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
+        slice0winner1_pair_index_0_8;
+      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
+        slice0winner1_pair_index_0_10;
+      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
+        slice0winner1_pair_index_1_2;
+      slice0winner1_four_index_1_2 <= slice0winner1_pair_index_1_5 when slice0winner1_of_four_1_8_is_less else
+        slice0winner1_pair_index_1_4;
+      slice0winner1_four_index_1_3 <= slice0winner1_pair_index_1_7 when slice0winner1_of_four_1_12_is_less else
+        slice0winner1_pair_index_1_6;
+      slice0winner1_four_index_1_4 <= slice0winner1_pair_index_1_9 when slice0winner1_of_four_1_16_is_less else
+        slice0winner1_pair_index_1_8;
+      slice0winner1_four_index_1_5 <= slice0winner1_pair_index_1_11 when slice0winner1_of_four_1_20_is_less else
+        slice0winner1_pair_index_1_10;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 12))));
+      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_8, 12))));
+      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_15, 12)))) or (to_unsigned(slice0winner1_of_four_0_13, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_12, 12))));
+      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_19, 12)))) or (to_unsigned(slice0winner1_of_four_0_17, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_16, 12))));
+      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_23, 12)))) or (to_unsigned(slice0winner1_of_four_0_21, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_20, 12))));
+      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
+      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_3, 12)))) or (to_unsigned(slice0winner1_of_four_1_1, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_0, 12))));
+      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_7, 12)))) or (to_unsigned(slice0winner1_of_four_1_5, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_4, 12))));
+      slice0winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_10, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_11, 12)))) or (to_unsigned(slice0winner1_of_four_1_9, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_8, 12))));
+      slice0winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_14, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_15, 12)))) or (to_unsigned(slice0winner1_of_four_1_13, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_12, 12))));
+      slice0winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_18, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_19, 12)))) or (to_unsigned(slice0winner1_of_four_1_17, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_16, 12))));
+      slice0winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_22, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_23, 12)))) or (to_unsigned(slice0winner1_of_four_1_21, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_20, 12))));
+      slice0winner1_best_cost_1_6 <= slice0winner1_of_four_1_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
+      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
+      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
+      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
+      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
+      slice0winner1_best_index_1_2 <= slice0winner1_four_index_1_2;
+      slice0winner1_best_index_1_3 <= slice0winner1_four_index_1_3;
+      slice0winner1_best_index_1_4 <= slice0winner1_four_index_1_4;
+      slice0winner1_best_index_1_5 <= slice0winner1_four_index_1_5;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_four_tag_valid then
+        slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+        slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
       end if;
+      -- slice0winner2
+      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_of_pair_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_of_pair_1_2_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
+      slice0winner2_of_pair_1_4_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
+      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
+        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
+        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
+      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
+        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 12)) or (to_unsigned(slice0winner2_of_pair_0_5, 12))))) < 0;
+      slice0winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_1_2, 12)) or
+        (to_unsigned(slice0winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_1_0, 12)) or
+        (to_unsigned(slice0winner2_of_pair_1_1, 12))))) < 0;
+      slice0winner2_of_four_1_4_is_less := (slice0winner2_of_pair_1_6 -
+        to_integer(((to_unsigned(slice0winner2_of_pair_1_4, 12)) or (to_unsigned(slice0winner2_of_pair_1_5, 12))))) < 0;
+      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
+      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
+      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
+      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
+      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
+      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
+      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
+      slice0winner2_of_pair_1_0 <= 0 when slice0winner2_of_pair_1_0_is_less else slice0winner1_best_cost_1_0;
+      slice0winner2_of_pair_1_1 <= slice0winner1_best_cost_1_1 when slice0winner2_of_pair_1_0_is_less else 0;
+      slice0winner2_of_pair_1_2 <= 0 when slice0winner2_of_pair_1_2_is_less else slice0winner1_best_cost_1_2;
+      slice0winner2_of_pair_1_3 <= slice0winner1_best_cost_1_3 when slice0winner2_of_pair_1_2_is_less else 0;
+      slice0winner2_of_pair_1_4 <= 0 when slice0winner2_of_pair_1_4_is_less else slice0winner1_best_cost_1_4;
+      slice0winner2_of_pair_1_5 <= slice0winner1_best_cost_1_5 when slice0winner2_of_pair_1_4_is_less else 0;
+      slice0winner2_of_pair_1_6 <= slice0winner1_best_cost_1_6;
+      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
+        slice0winner1_best_index_0_2;
+      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
+        slice0winner1_best_index_0_4;
+      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
+      slice0winner2_pair_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_of_pair_1_0_is_less else
+        slice0winner1_best_index_1_0;
+      slice0winner2_pair_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_of_pair_1_2_is_less else
+        slice0winner1_best_index_1_2;
+      slice0winner2_pair_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_of_pair_1_4_is_less else
+        slice0winner1_best_index_1_4;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
+      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
+      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
+      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
+      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
+      slice0winner2_of_four_1_0 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_0;
+      slice0winner2_of_four_1_1 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_1;
+      slice0winner2_of_four_1_2 <= slice0winner2_of_pair_1_2 when slice0winner2_of_four_1_0_is_less else 0;
+      slice0winner2_of_four_1_3 <= slice0winner2_of_pair_1_3 when slice0winner2_of_four_1_0_is_less else 0;
+      slice0winner2_of_four_1_4 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_4;
+      slice0winner2_of_four_1_5 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_5;
+      slice0winner2_of_four_1_6 <= slice0winner2_of_pair_1_6 when slice0winner2_of_four_1_4_is_less else 0;
+      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
+        slice0winner2_pair_index_0_0;
+      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
+        slice0winner2_pair_index_0_2;
+      slice0winner2_four_index_1_0 <= slice0winner2_pair_index_1_1 when slice0winner2_of_four_1_0_is_less else
+        slice0winner2_pair_index_1_0;
+      slice0winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_1_4_is_less else
+        slice0winner2_pair_index_1_2;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
+      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
+        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
+        (to_unsigned(slice0winner2_of_four_0_0, 12))));
+      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 12)) or
+        (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
+      slice0winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_1_2, 12)) or
+        (to_unsigned(slice0winner2_of_four_1_3, 12)))) or (to_unsigned(slice0winner2_of_four_1_1, 12)))) or
+        (to_unsigned(slice0winner2_of_four_1_0, 12))));
+      slice0winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_1_5, 12)) or
+        (to_unsigned(slice0winner2_of_four_1_6, 12)))) or (to_unsigned(slice0winner2_of_four_1_4, 12))));
+      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
+      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
+      slice0winner2_best_index_1_0 <= slice0winner2_four_index_1_0;
+      slice0winner2_best_index_1_1 <= slice0winner2_four_index_1_1;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2_is_less := slice0winner2_best_cost_0_5 < slice0winner2_best_cost_0_4;
-      slice0winner3_best_cost_1_0_is_less := slice0winner2_best_cost_1_1 < slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_1_1_is_less := slice0winner2_best_cost_1_3 < slice0winner2_best_cost_1_2;
-      slice0winner3_best_cost_1_2_is_less := slice0winner2_best_cost_1_5 < slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
-      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_cost_1_2;
-      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_cost_1_4;
-      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
-      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_index_1_0;
-      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_index_1_2;
-      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_index_1_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1_is_less := slice0winner3_best_cost_0_3 < slice0winner3_best_cost_0_2;
-      slice0winner4_best_cost_1_0_is_less := slice0winner3_best_cost_1_1 < slice0winner3_best_cost_1_0;
-      slice0winner4_best_cost_1_1_is_less := slice0winner3_best_cost_1_3 < slice0winner3_best_cost_1_2;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_cost_1_0;
-      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_cost_1_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
-      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_index_1_0;
-      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_index_1_2;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := slice0winner4_best_cost_0_1 < slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_1_0_is_less := slice0winner4_best_cost_1_1 < slice0winner4_best_cost_1_0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_cost_1_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
-      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_index_1_0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
-      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
-      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 75;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 75;
+      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 75;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2555,256 +3617,580 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_0_8_choice := slice1cost_reverse_0_8 when slice1cost_difference_2_8 < 0 else
-        positive_part(slice1cost_difference_2_8);
-      slice1cost_pair_0_9_choice := slice1cost_reverse_0_9 when slice1cost_difference_2_9 < 0 else
-        positive_part(slice1cost_difference_2_9);
-      slice1cost_pair_0_10_choice := slice1cost_reverse_0_10 when slice1cost_difference_2_10 < 0 else
-        positive_part(slice1cost_difference_2_10);
-      slice1cost_pair_0_11_choice := slice1cost_reverse_0_11 when slice1cost_difference_2_11 < 0 else
-        positive_part(slice1cost_difference_2_11);
-      slice1cost_pair_0_12_choice := slice1cost_reverse_0_12 when slice1cost_difference_2_12 < 0 else
-        positive_part(slice1cost_difference_2_12);
-      slice1cost_pair_0_13_choice := slice1cost_reverse_0_13 when slice1cost_difference_2_13 < 0 else
-        positive_part(slice1cost_difference_2_13);
-      slice1cost_pair_0_14_choice := slice1cost_reverse_0_14 when slice1cost_difference_2_14 < 0 else
-        positive_part(slice1cost_difference_2_14);
-      slice1cost_pair_0_15_choice := slice1cost_reverse_0_15 when slice1cost_difference_2_15 < 0 else
-        positive_part(slice1cost_difference_2_15);
-      slice1cost_pair_0_16_choice := slice1cost_reverse_0_16 when slice1cost_difference_2_16 < 0 else
-        positive_part(slice1cost_difference_2_16);
-      slice1cost_pair_0_17_choice := slice1cost_reverse_0_17 when slice1cost_difference_2_17 < 0 else
-        positive_part(slice1cost_difference_2_17);
-      slice1cost_pair_0_18_choice := slice1cost_reverse_0_18 when slice1cost_difference_2_18 < 0 else
-        positive_part(slice1cost_difference_2_18);
-      slice1cost_pair_0_19_choice := slice1cost_reverse_0_19 when slice1cost_difference_2_19 < 0 else
-        positive_part(slice1cost_difference_2_19);
-      slice1cost_pair_0_20_choice := slice1cost_reverse_0_20 when slice1cost_difference_2_20 < 0 else
-        positive_part(slice1cost_difference_2_20);
-      slice1cost_pair_0_21_choice := slice1cost_reverse_0_21 when slice1cost_difference_2_21 < 0 else
-        positive_part(slice1cost_difference_2_21);
-      slice1cost_pair_0_22_choice := slice1cost_reverse_0_22 when slice1cost_difference_2_22 < 0 else
-        positive_part(slice1cost_difference_2_22);
-      slice1cost_pair_0_23_choice := slice1cost_reverse_0_23 when slice1cost_difference_2_23 < 0 else
-        positive_part(slice1cost_difference_2_23);
-      slice1cost_pair_0_24_choice := slice1cost_reverse_0_24 when slice1cost_difference_2_24 < 0 else
-        positive_part(slice1cost_difference_2_24);
-      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
-      slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
-      slice1cost_difference_0_5 <= slice1shift_search_0_5 - slice1shift_reference_0;
-      slice1cost_difference_0_6 <= slice1shift_search_0_6 - slice1shift_reference_0;
-      slice1cost_difference_0_7 <= slice1shift_search_0_7 - slice1shift_reference_0;
-      slice1cost_difference_0_8 <= slice1shift_search_0_8 - slice1shift_reference_0;
-      slice1cost_difference_0_9 <= slice1shift_search_0_9 - slice1shift_reference_0;
-      slice1cost_difference_0_10 <= slice1shift_search_0_10 - slice1shift_reference_0;
-      slice1cost_difference_0_11 <= slice1shift_search_0_11 - slice1shift_reference_0;
-      slice1cost_difference_0_12 <= slice1shift_search_0_12 - slice1shift_reference_0;
-      slice1cost_difference_0_13 <= slice1shift_search_0_13 - slice1shift_reference_0;
-      slice1cost_difference_0_14 <= slice1shift_search_0_14 - slice1shift_reference_0;
-      slice1cost_difference_0_15 <= slice1shift_search_0_15 - slice1shift_reference_0;
-      slice1cost_difference_0_16 <= slice1shift_search_0_16 - slice1shift_reference_0;
-      slice1cost_difference_0_17 <= slice1shift_search_0_17 - slice1shift_reference_0;
-      slice1cost_difference_0_18 <= slice1shift_search_0_18 - slice1shift_reference_0;
-      slice1cost_difference_0_19 <= slice1shift_search_0_19 - slice1shift_reference_0;
-      slice1cost_difference_0_20 <= slice1shift_search_0_20 - slice1shift_reference_0;
-      slice1cost_difference_0_21 <= slice1shift_search_0_21 - slice1shift_reference_0;
-      slice1cost_difference_0_22 <= slice1shift_search_0_22 - slice1shift_reference_0;
-      slice1cost_difference_0_23 <= slice1shift_search_0_23 - slice1shift_reference_0;
-      slice1cost_difference_0_24 <= slice1shift_search_0_24 - slice1shift_reference_0;
-      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_difference_1_3 <= slice1shift_search_1_3 - slice1shift_reference_1;
-      slice1cost_difference_1_4 <= slice1shift_search_1_4 - slice1shift_reference_1;
-      slice1cost_difference_1_5 <= slice1shift_search_1_5 - slice1shift_reference_1;
-      slice1cost_difference_1_6 <= slice1shift_search_1_6 - slice1shift_reference_1;
-      slice1cost_difference_1_7 <= slice1shift_search_1_7 - slice1shift_reference_1;
-      slice1cost_difference_1_8 <= slice1shift_search_1_8 - slice1shift_reference_1;
-      slice1cost_difference_1_9 <= slice1shift_search_1_9 - slice1shift_reference_1;
-      slice1cost_difference_1_10 <= slice1shift_search_1_10 - slice1shift_reference_1;
-      slice1cost_difference_1_11 <= slice1shift_search_1_11 - slice1shift_reference_1;
-      slice1cost_difference_1_12 <= slice1shift_search_1_12 - slice1shift_reference_1;
-      slice1cost_difference_1_13 <= slice1shift_search_1_13 - slice1shift_reference_1;
-      slice1cost_difference_1_14 <= slice1shift_search_1_14 - slice1shift_reference_1;
-      slice1cost_difference_1_15 <= slice1shift_search_1_15 - slice1shift_reference_1;
-      slice1cost_difference_1_16 <= slice1shift_search_1_16 - slice1shift_reference_1;
-      slice1cost_difference_1_17 <= slice1shift_search_1_17 - slice1shift_reference_1;
-      slice1cost_difference_1_18 <= slice1shift_search_1_18 - slice1shift_reference_1;
-      slice1cost_difference_1_19 <= slice1shift_search_1_19 - slice1shift_reference_1;
-      slice1cost_difference_1_20 <= slice1shift_search_1_20 - slice1shift_reference_1;
-      slice1cost_difference_1_21 <= slice1shift_search_1_21 - slice1shift_reference_1;
-      slice1cost_difference_1_22 <= slice1shift_search_1_22 - slice1shift_reference_1;
-      slice1cost_difference_1_23 <= slice1shift_search_1_23 - slice1shift_reference_1;
-      slice1cost_difference_1_24 <= slice1shift_search_1_24 - slice1shift_reference_1;
-      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
-      slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
-      slice1cost_difference_2_5 <= slice1shift_search_2_5 - slice1shift_reference_2;
-      slice1cost_difference_2_6 <= slice1shift_search_2_6 - slice1shift_reference_2;
-      slice1cost_difference_2_7 <= slice1shift_search_2_7 - slice1shift_reference_2;
-      slice1cost_difference_2_8 <= slice1shift_search_2_8 - slice1shift_reference_2;
-      slice1cost_difference_2_9 <= slice1shift_search_2_9 - slice1shift_reference_2;
-      slice1cost_difference_2_10 <= slice1shift_search_2_10 - slice1shift_reference_2;
-      slice1cost_difference_2_11 <= slice1shift_search_2_11 - slice1shift_reference_2;
-      slice1cost_difference_2_12 <= slice1shift_search_2_12 - slice1shift_reference_2;
-      slice1cost_difference_2_13 <= slice1shift_search_2_13 - slice1shift_reference_2;
-      slice1cost_difference_2_14 <= slice1shift_search_2_14 - slice1shift_reference_2;
-      slice1cost_difference_2_15 <= slice1shift_search_2_15 - slice1shift_reference_2;
-      slice1cost_difference_2_16 <= slice1shift_search_2_16 - slice1shift_reference_2;
-      slice1cost_difference_2_17 <= slice1shift_search_2_17 - slice1shift_reference_2;
-      slice1cost_difference_2_18 <= slice1shift_search_2_18 - slice1shift_reference_2;
-      slice1cost_difference_2_19 <= slice1shift_search_2_19 - slice1shift_reference_2;
-      slice1cost_difference_2_20 <= slice1shift_search_2_20 - slice1shift_reference_2;
-      slice1cost_difference_2_21 <= slice1shift_search_2_21 - slice1shift_reference_2;
-      slice1cost_difference_2_22 <= slice1shift_search_2_22 - slice1shift_reference_2;
-      slice1cost_difference_2_23 <= slice1shift_search_2_23 - slice1shift_reference_2;
-      slice1cost_difference_2_24 <= slice1shift_search_2_24 - slice1shift_reference_2;
-      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
-      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
-      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_difference_3_3 <= slice1shift_search_3_3 - slice1shift_reference_3;
-      slice1cost_difference_3_4 <= slice1shift_search_3_4 - slice1shift_reference_3;
-      slice1cost_difference_3_5 <= slice1shift_search_3_5 - slice1shift_reference_3;
-      slice1cost_difference_3_6 <= slice1shift_search_3_6 - slice1shift_reference_3;
-      slice1cost_difference_3_7 <= slice1shift_search_3_7 - slice1shift_reference_3;
-      slice1cost_difference_3_8 <= slice1shift_search_3_8 - slice1shift_reference_3;
-      slice1cost_difference_3_9 <= slice1shift_search_3_9 - slice1shift_reference_3;
-      slice1cost_difference_3_10 <= slice1shift_search_3_10 - slice1shift_reference_3;
-      slice1cost_difference_3_11 <= slice1shift_search_3_11 - slice1shift_reference_3;
-      slice1cost_difference_3_12 <= slice1shift_search_3_12 - slice1shift_reference_3;
-      slice1cost_difference_3_13 <= slice1shift_search_3_13 - slice1shift_reference_3;
-      slice1cost_difference_3_14 <= slice1shift_search_3_14 - slice1shift_reference_3;
-      slice1cost_difference_3_15 <= slice1shift_search_3_15 - slice1shift_reference_3;
-      slice1cost_difference_3_16 <= slice1shift_search_3_16 - slice1shift_reference_3;
-      slice1cost_difference_3_17 <= slice1shift_search_3_17 - slice1shift_reference_3;
-      slice1cost_difference_3_18 <= slice1shift_search_3_18 - slice1shift_reference_3;
-      slice1cost_difference_3_19 <= slice1shift_search_3_19 - slice1shift_reference_3;
-      slice1cost_difference_3_20 <= slice1shift_search_3_20 - slice1shift_reference_3;
-      slice1cost_difference_3_21 <= slice1shift_search_3_21 - slice1shift_reference_3;
-      slice1cost_difference_3_22 <= slice1shift_search_3_22 - slice1shift_reference_3;
-      slice1cost_difference_3_23 <= slice1shift_search_3_23 - slice1shift_reference_3;
-      slice1cost_difference_3_24 <= slice1shift_search_3_24 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_0_8 <= (slice1shift_reference_2 - slice1shift_search_2_8) mod 256;
-      slice1cost_reverse_0_9 <= (slice1shift_reference_2 - slice1shift_search_2_9) mod 256;
-      slice1cost_reverse_0_10 <= (slice1shift_reference_2 - slice1shift_search_2_10) mod 256;
-      slice1cost_reverse_0_11 <= (slice1shift_reference_2 - slice1shift_search_2_11) mod 256;
-      slice1cost_reverse_0_12 <= (slice1shift_reference_2 - slice1shift_search_2_12) mod 256;
-      slice1cost_reverse_0_13 <= (slice1shift_reference_2 - slice1shift_search_2_13) mod 256;
-      slice1cost_reverse_0_14 <= (slice1shift_reference_2 - slice1shift_search_2_14) mod 256;
-      slice1cost_reverse_0_15 <= (slice1shift_reference_2 - slice1shift_search_2_15) mod 256;
-      slice1cost_reverse_0_16 <= (slice1shift_reference_2 - slice1shift_search_2_16) mod 256;
-      slice1cost_reverse_0_17 <= (slice1shift_reference_2 - slice1shift_search_2_17) mod 256;
-      slice1cost_reverse_0_18 <= (slice1shift_reference_2 - slice1shift_search_2_18) mod 256;
-      slice1cost_reverse_0_19 <= (slice1shift_reference_2 - slice1shift_search_2_19) mod 256;
-      slice1cost_reverse_0_20 <= (slice1shift_reference_2 - slice1shift_search_2_20) mod 256;
-      slice1cost_reverse_0_21 <= (slice1shift_reference_2 - slice1shift_search_2_21) mod 256;
-      slice1cost_reverse_0_22 <= (slice1shift_reference_2 - slice1shift_search_2_22) mod 256;
-      slice1cost_reverse_0_23 <= (slice1shift_reference_2 - slice1shift_search_2_23) mod 256;
-      slice1cost_reverse_0_24 <= (slice1shift_reference_2 - slice1shift_search_2_24) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
-        as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
-        as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
-        as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
-        as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
-        as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
-        as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
-        as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
-        as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_0_8 <= slice1cost_pair_0_8_choice + folded(slice1cost_difference_1_8) +
-        as_number((slice1cost_difference_1_8 < 0));
-      slice1cost_pair_0_9 <= slice1cost_pair_0_9_choice + folded(slice1cost_difference_1_9) +
-        as_number((slice1cost_difference_1_9 < 0));
-      slice1cost_pair_0_10 <= slice1cost_pair_0_10_choice + folded(slice1cost_difference_1_10) +
-        as_number((slice1cost_difference_1_10 < 0));
-      slice1cost_pair_0_11 <= slice1cost_pair_0_11_choice + folded(slice1cost_difference_1_11) +
-        as_number((slice1cost_difference_1_11 < 0));
-      slice1cost_pair_0_12 <= slice1cost_pair_0_12_choice + folded(slice1cost_difference_1_12) +
-        as_number((slice1cost_difference_1_12 < 0));
-      slice1cost_pair_0_13 <= slice1cost_pair_0_13_choice + folded(slice1cost_difference_1_13) +
-        as_number((slice1cost_difference_1_13 < 0));
-      slice1cost_pair_0_14 <= slice1cost_pair_0_14_choice + folded(slice1cost_difference_1_14) +
-        as_number((slice1cost_difference_1_14 < 0));
-      slice1cost_pair_0_15 <= slice1cost_pair_0_15_choice + folded(slice1cost_difference_1_15) +
-        as_number((slice1cost_difference_1_15 < 0));
-      slice1cost_pair_0_16 <= slice1cost_pair_0_16_choice + folded(slice1cost_difference_1_16) +
-        as_number((slice1cost_difference_1_16 < 0));
-      slice1cost_pair_0_17 <= slice1cost_pair_0_17_choice + folded(slice1cost_difference_1_17) +
-        as_number((slice1cost_difference_1_17 < 0));
-      slice1cost_pair_0_18 <= slice1cost_pair_0_18_choice + folded(slice1cost_difference_1_18) +
-        as_number((slice1cost_difference_1_18 < 0));
-      slice1cost_pair_0_19 <= slice1cost_pair_0_19_choice + folded(slice1cost_difference_1_19) +
-        as_number((slice1cost_difference_1_19 < 0));
-      slice1cost_pair_0_20 <= slice1cost_pair_0_20_choice + folded(slice1cost_difference_1_20) +
-        as_number((slice1cost_difference_1_20 < 0));
-      slice1cost_pair_0_21 <= slice1cost_pair_0_21_choice + folded(slice1cost_difference_1_21) +
-        as_number((slice1cost_difference_1_21 < 0));
-      slice1cost_pair_0_22 <= slice1cost_pair_0_22_choice + folded(slice1cost_difference_1_22) +
-        as_number((slice1cost_difference_1_22 < 0));
-      slice1cost_pair_0_23 <= slice1cost_pair_0_23_choice + folded(slice1cost_difference_1_23) +
-        as_number((slice1cost_difference_1_23 < 0));
-      slice1cost_pair_0_24 <= slice1cost_pair_0_24_choice + folded(slice1cost_difference_1_24) +
-        as_number((slice1cost_difference_1_24 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_single_0_8 <= folded(slice1cost_difference_0_8);
-      slice1cost_single_0_9 <= folded(slice1cost_difference_0_9);
-      slice1cost_single_0_10 <= folded(slice1cost_difference_0_10);
-      slice1cost_single_0_11 <= folded(slice1cost_difference_0_11);
-      slice1cost_single_0_12 <= folded(slice1cost_difference_0_12);
-      slice1cost_single_0_13 <= folded(slice1cost_difference_0_13);
-      slice1cost_single_0_14 <= folded(slice1cost_difference_0_14);
-      slice1cost_single_0_15 <= folded(slice1cost_difference_0_15);
-      slice1cost_single_0_16 <= folded(slice1cost_difference_0_16);
-      slice1cost_single_0_17 <= folded(slice1cost_difference_0_17);
-      slice1cost_single_0_18 <= folded(slice1cost_difference_0_18);
-      slice1cost_single_0_19 <= folded(slice1cost_difference_0_19);
-      slice1cost_single_0_20 <= folded(slice1cost_difference_0_20);
-      slice1cost_single_0_21 <= folded(slice1cost_difference_0_21);
-      slice1cost_single_0_22 <= folded(slice1cost_difference_0_22);
-      slice1cost_single_0_23 <= folded(slice1cost_difference_0_23);
-      slice1cost_single_0_24 <= folded(slice1cost_difference_0_24);
+      slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
+        slice1shift_search_0_0;
+      slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
+        slice1shift_reference_0;
+      slice1cost_difference_0_1_value := ((slice1cost_signs_ready_words_0 / 2) mod 2) = 1;
+      slice1cost_difference_0_1_choice := slice1shift_reference_0 when slice1cost_difference_0_1_value else
+        slice1shift_search_0_1;
+      slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1 when slice1cost_difference_0_1_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_2_value := ((slice1cost_signs_ready_words_0 / 4) mod 2) = 1;
+      slice1cost_difference_0_2_choice := slice1shift_reference_0 when slice1cost_difference_0_2_value else
+        slice1shift_search_0_2;
+      slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2 when slice1cost_difference_0_2_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_3_value := ((slice1cost_signs_ready_words_0 / 8) mod 2) = 1;
+      slice1cost_difference_0_3_choice := slice1shift_reference_0 when slice1cost_difference_0_3_value else
+        slice1shift_search_0_3;
+      slice1cost_difference_0_3_choice_2 := slice1shift_search_0_3 when slice1cost_difference_0_3_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_4_value := ((slice1cost_signs_ready_words_0 / 16) mod 2) = 1;
+      slice1cost_difference_0_4_choice := slice1shift_reference_0 when slice1cost_difference_0_4_value else
+        slice1shift_search_0_4;
+      slice1cost_difference_0_4_choice_2 := slice1shift_search_0_4 when slice1cost_difference_0_4_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_5_value := ((slice1cost_signs_ready_words_0 / 32) mod 2) = 1;
+      slice1cost_difference_0_5_choice := slice1shift_reference_0 when slice1cost_difference_0_5_value else
+        slice1shift_search_0_5;
+      slice1cost_difference_0_5_choice_2 := slice1shift_search_0_5 when slice1cost_difference_0_5_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_6_value := ((slice1cost_signs_ready_words_0 / 64) mod 2) = 1;
+      slice1cost_difference_0_6_choice := slice1shift_reference_0 when slice1cost_difference_0_6_value else
+        slice1shift_search_0_6;
+      slice1cost_difference_0_6_choice_2 := slice1shift_search_0_6 when slice1cost_difference_0_6_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_7_value := ((slice1cost_signs_ready_words_0 / 128) mod 2) = 1;
+      slice1cost_difference_0_7_choice := slice1shift_reference_0 when slice1cost_difference_0_7_value else
+        slice1shift_search_0_7;
+      slice1cost_difference_0_7_choice_2 := slice1shift_search_0_7 when slice1cost_difference_0_7_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_8_value := ((slice1cost_signs_ready_words_0 / 256) mod 2) = 1;
+      slice1cost_difference_0_8_choice := slice1shift_reference_0 when slice1cost_difference_0_8_value else
+        slice1shift_search_0_8;
+      slice1cost_difference_0_8_choice_2 := slice1shift_search_0_8 when slice1cost_difference_0_8_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_9_value := ((slice1cost_signs_ready_words_0 / 512) mod 2) = 1;
+      slice1cost_difference_0_9_choice := slice1shift_reference_0 when slice1cost_difference_0_9_value else
+        slice1shift_search_0_9;
+      slice1cost_difference_0_9_choice_2 := slice1shift_search_0_9 when slice1cost_difference_0_9_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_10_value := ((slice1cost_signs_ready_words_0 / 1024) mod 2) = 1;
+      slice1cost_difference_0_10_choice := slice1shift_reference_0 when slice1cost_difference_0_10_value else
+        slice1shift_search_0_10;
+      slice1cost_difference_0_10_choice_2 := slice1shift_search_0_10 when slice1cost_difference_0_10_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_11_value := ((slice1cost_signs_ready_words_0 / 2048) mod 2) = 1;
+      slice1cost_difference_0_11_choice := slice1shift_reference_0 when slice1cost_difference_0_11_value else
+        slice1shift_search_0_11;
+      slice1cost_difference_0_11_choice_2 := slice1shift_search_0_11 when slice1cost_difference_0_11_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_12_value := ((slice1cost_signs_ready_words_0 / 4096) mod 2) = 1;
+      slice1cost_difference_0_12_choice := slice1shift_reference_0 when slice1cost_difference_0_12_value else
+        slice1shift_search_0_12;
+      slice1cost_difference_0_12_choice_2 := slice1shift_search_0_12 when slice1cost_difference_0_12_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_13_value := ((slice1cost_signs_ready_words_0 / 8192) mod 2) = 1;
+      slice1cost_difference_0_13_choice := slice1shift_reference_0 when slice1cost_difference_0_13_value else
+        slice1shift_search_0_13;
+      slice1cost_difference_0_13_choice_2 := slice1shift_search_0_13 when slice1cost_difference_0_13_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_14_value := ((slice1cost_signs_ready_words_0 / 16384) mod 2) = 1;
+      slice1cost_difference_0_14_choice := slice1shift_reference_0 when slice1cost_difference_0_14_value else
+        slice1shift_search_0_14;
+      slice1cost_difference_0_14_choice_2 := slice1shift_search_0_14 when slice1cost_difference_0_14_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_15_value := ((slice1cost_signs_ready_words_0 / 32768) mod 2) = 1;
+      slice1cost_difference_0_15_choice := slice1shift_reference_0 when slice1cost_difference_0_15_value else
+        slice1shift_search_0_15;
+      slice1cost_difference_0_15_choice_2 := slice1shift_search_0_15 when slice1cost_difference_0_15_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_16_value := ((slice1cost_signs_ready_words_0 / 65536) mod 2) = 1;
+      slice1cost_difference_0_16_choice := slice1shift_reference_0 when slice1cost_difference_0_16_value else
+        slice1shift_search_0_16;
+      slice1cost_difference_0_16_choice_2 := slice1shift_search_0_16 when slice1cost_difference_0_16_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_17_value := ((slice1cost_signs_ready_words_0 / 131072) mod 2) = 1;
+      slice1cost_difference_0_17_choice := slice1shift_reference_0 when slice1cost_difference_0_17_value else
+        slice1shift_search_0_17;
+      slice1cost_difference_0_17_choice_2 := slice1shift_search_0_17 when slice1cost_difference_0_17_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_18_value := ((slice1cost_signs_ready_words_0 / 262144) mod 2) = 1;
+      slice1cost_difference_0_18_choice := slice1shift_reference_0 when slice1cost_difference_0_18_value else
+        slice1shift_search_0_18;
+      slice1cost_difference_0_18_choice_2 := slice1shift_search_0_18 when slice1cost_difference_0_18_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_19_value := ((slice1cost_signs_ready_words_0 / 524288) mod 2) = 1;
+      slice1cost_difference_0_19_choice := slice1shift_reference_0 when slice1cost_difference_0_19_value else
+        slice1shift_search_0_19;
+      slice1cost_difference_0_19_choice_2 := slice1shift_search_0_19 when slice1cost_difference_0_19_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_20_value := ((slice1cost_signs_ready_words_0 / 1048576) mod 2) = 1;
+      slice1cost_difference_0_20_choice := slice1shift_reference_0 when slice1cost_difference_0_20_value else
+        slice1shift_search_0_20;
+      slice1cost_difference_0_20_choice_2 := slice1shift_search_0_20 when slice1cost_difference_0_20_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_21_value := ((slice1cost_signs_ready_words_0 / 2097152) mod 2) = 1;
+      slice1cost_difference_0_21_choice := slice1shift_reference_0 when slice1cost_difference_0_21_value else
+        slice1shift_search_0_21;
+      slice1cost_difference_0_21_choice_2 := slice1shift_search_0_21 when slice1cost_difference_0_21_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_22_value := ((slice1cost_signs_ready_words_0 / 4194304) mod 2) = 1;
+      slice1cost_difference_0_22_choice := slice1shift_reference_0 when slice1cost_difference_0_22_value else
+        slice1shift_search_0_22;
+      slice1cost_difference_0_22_choice_2 := slice1shift_search_0_22 when slice1cost_difference_0_22_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_23_value := ((slice1cost_signs_ready_words_0 / 8388608) mod 2) = 1;
+      slice1cost_difference_0_23_choice := slice1shift_reference_0 when slice1cost_difference_0_23_value else
+        slice1shift_search_0_23;
+      slice1cost_difference_0_23_choice_2 := slice1shift_search_0_23 when slice1cost_difference_0_23_value else
+        slice1shift_reference_0;
+      slice1cost_difference_0_24_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 / 16777216) = 1
+        else slice1shift_search_0_24;
+      slice1cost_difference_0_24_choice_2 := slice1shift_search_0_24 when (slice1cost_signs_ready_words_0 / 16777216) =
+        1 else slice1shift_reference_0;
+      slice1cost_difference_1_0_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
+        slice1shift_search_1_0;
+      slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
+        slice1shift_reference_1;
+      slice1cost_difference_1_1_value := ((slice1cost_signs_ready_words_1 / 2) mod 2) = 1;
+      slice1cost_difference_1_1_choice := slice1shift_reference_1 when slice1cost_difference_1_1_value else
+        slice1shift_search_1_1;
+      slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1 when slice1cost_difference_1_1_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_2_value := ((slice1cost_signs_ready_words_1 / 4) mod 2) = 1;
+      slice1cost_difference_1_2_choice := slice1shift_reference_1 when slice1cost_difference_1_2_value else
+        slice1shift_search_1_2;
+      slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2 when slice1cost_difference_1_2_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_3_value := ((slice1cost_signs_ready_words_1 / 8) mod 2) = 1;
+      slice1cost_difference_1_3_choice := slice1shift_reference_1 when slice1cost_difference_1_3_value else
+        slice1shift_search_1_3;
+      slice1cost_difference_1_3_choice_2 := slice1shift_search_1_3 when slice1cost_difference_1_3_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_4_value := ((slice1cost_signs_ready_words_1 / 16) mod 2) = 1;
+      slice1cost_difference_1_4_choice := slice1shift_reference_1 when slice1cost_difference_1_4_value else
+        slice1shift_search_1_4;
+      slice1cost_difference_1_4_choice_2 := slice1shift_search_1_4 when slice1cost_difference_1_4_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_5_value := ((slice1cost_signs_ready_words_1 / 32) mod 2) = 1;
+      slice1cost_difference_1_5_choice := slice1shift_reference_1 when slice1cost_difference_1_5_value else
+        slice1shift_search_1_5;
+      slice1cost_difference_1_5_choice_2 := slice1shift_search_1_5 when slice1cost_difference_1_5_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_6_value := ((slice1cost_signs_ready_words_1 / 64) mod 2) = 1;
+      slice1cost_difference_1_6_choice := slice1shift_reference_1 when slice1cost_difference_1_6_value else
+        slice1shift_search_1_6;
+      slice1cost_difference_1_6_choice_2 := slice1shift_search_1_6 when slice1cost_difference_1_6_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_7_value := ((slice1cost_signs_ready_words_1 / 128) mod 2) = 1;
+      slice1cost_difference_1_7_choice := slice1shift_reference_1 when slice1cost_difference_1_7_value else
+        slice1shift_search_1_7;
+      slice1cost_difference_1_7_choice_2 := slice1shift_search_1_7 when slice1cost_difference_1_7_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_8_value := ((slice1cost_signs_ready_words_1 / 256) mod 2) = 1;
+      slice1cost_difference_1_8_choice := slice1shift_reference_1 when slice1cost_difference_1_8_value else
+        slice1shift_search_1_8;
+      slice1cost_difference_1_8_choice_2 := slice1shift_search_1_8 when slice1cost_difference_1_8_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_9_value := ((slice1cost_signs_ready_words_1 / 512) mod 2) = 1;
+      slice1cost_difference_1_9_choice := slice1shift_reference_1 when slice1cost_difference_1_9_value else
+        slice1shift_search_1_9;
+      slice1cost_difference_1_9_choice_2 := slice1shift_search_1_9 when slice1cost_difference_1_9_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_10_value := ((slice1cost_signs_ready_words_1 / 1024) mod 2) = 1;
+      slice1cost_difference_1_10_choice := slice1shift_reference_1 when slice1cost_difference_1_10_value else
+        slice1shift_search_1_10;
+      slice1cost_difference_1_10_choice_2 := slice1shift_search_1_10 when slice1cost_difference_1_10_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_11_value := ((slice1cost_signs_ready_words_1 / 2048) mod 2) = 1;
+      slice1cost_difference_1_11_choice := slice1shift_reference_1 when slice1cost_difference_1_11_value else
+        slice1shift_search_1_11;
+      slice1cost_difference_1_11_choice_2 := slice1shift_search_1_11 when slice1cost_difference_1_11_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_12_value := ((slice1cost_signs_ready_words_1 / 4096) mod 2) = 1;
+      slice1cost_difference_1_12_choice := slice1shift_reference_1 when slice1cost_difference_1_12_value else
+        slice1shift_search_1_12;
+      slice1cost_difference_1_12_choice_2 := slice1shift_search_1_12 when slice1cost_difference_1_12_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_13_value := ((slice1cost_signs_ready_words_1 / 8192) mod 2) = 1;
+      slice1cost_difference_1_13_choice := slice1shift_reference_1 when slice1cost_difference_1_13_value else
+        slice1shift_search_1_13;
+      slice1cost_difference_1_13_choice_2 := slice1shift_search_1_13 when slice1cost_difference_1_13_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_14_value := ((slice1cost_signs_ready_words_1 / 16384) mod 2) = 1;
+      slice1cost_difference_1_14_choice := slice1shift_reference_1 when slice1cost_difference_1_14_value else
+        slice1shift_search_1_14;
+      slice1cost_difference_1_14_choice_2 := slice1shift_search_1_14 when slice1cost_difference_1_14_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_15_value := ((slice1cost_signs_ready_words_1 / 32768) mod 2) = 1;
+      slice1cost_difference_1_15_choice := slice1shift_reference_1 when slice1cost_difference_1_15_value else
+        slice1shift_search_1_15;
+      slice1cost_difference_1_15_choice_2 := slice1shift_search_1_15 when slice1cost_difference_1_15_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_16_value := ((slice1cost_signs_ready_words_1 / 65536) mod 2) = 1;
+      slice1cost_difference_1_16_choice := slice1shift_reference_1 when slice1cost_difference_1_16_value else
+        slice1shift_search_1_16;
+      slice1cost_difference_1_16_choice_2 := slice1shift_search_1_16 when slice1cost_difference_1_16_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_17_value := ((slice1cost_signs_ready_words_1 / 131072) mod 2) = 1;
+      slice1cost_difference_1_17_choice := slice1shift_reference_1 when slice1cost_difference_1_17_value else
+        slice1shift_search_1_17;
+      slice1cost_difference_1_17_choice_2 := slice1shift_search_1_17 when slice1cost_difference_1_17_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_18_value := ((slice1cost_signs_ready_words_1 / 262144) mod 2) = 1;
+      slice1cost_difference_1_18_choice := slice1shift_reference_1 when slice1cost_difference_1_18_value else
+        slice1shift_search_1_18;
+      slice1cost_difference_1_18_choice_2 := slice1shift_search_1_18 when slice1cost_difference_1_18_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_19_value := ((slice1cost_signs_ready_words_1 / 524288) mod 2) = 1;
+      slice1cost_difference_1_19_choice := slice1shift_reference_1 when slice1cost_difference_1_19_value else
+        slice1shift_search_1_19;
+      slice1cost_difference_1_19_choice_2 := slice1shift_search_1_19 when slice1cost_difference_1_19_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_20_value := ((slice1cost_signs_ready_words_1 / 1048576) mod 2) = 1;
+      slice1cost_difference_1_20_choice := slice1shift_reference_1 when slice1cost_difference_1_20_value else
+        slice1shift_search_1_20;
+      slice1cost_difference_1_20_choice_2 := slice1shift_search_1_20 when slice1cost_difference_1_20_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_21_value := ((slice1cost_signs_ready_words_1 / 2097152) mod 2) = 1;
+      slice1cost_difference_1_21_choice := slice1shift_reference_1 when slice1cost_difference_1_21_value else
+        slice1shift_search_1_21;
+      slice1cost_difference_1_21_choice_2 := slice1shift_search_1_21 when slice1cost_difference_1_21_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_22_value := ((slice1cost_signs_ready_words_1 / 4194304) mod 2) = 1;
+      slice1cost_difference_1_22_choice := slice1shift_reference_1 when slice1cost_difference_1_22_value else
+        slice1shift_search_1_22;
+      slice1cost_difference_1_22_choice_2 := slice1shift_search_1_22 when slice1cost_difference_1_22_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_23_value := ((slice1cost_signs_ready_words_1 / 8388608) mod 2) = 1;
+      slice1cost_difference_1_23_choice := slice1shift_reference_1 when slice1cost_difference_1_23_value else
+        slice1shift_search_1_23;
+      slice1cost_difference_1_23_choice_2 := slice1shift_search_1_23 when slice1cost_difference_1_23_value else
+        slice1shift_reference_1;
+      slice1cost_difference_1_24_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 / 16777216) = 1
+        else slice1shift_search_1_24;
+      slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24 when (slice1cost_signs_ready_words_1 / 16777216) =
+        1 else slice1shift_reference_1;
+      slice1cost_difference_2_0_difference := slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1_difference := slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2_difference := slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_2_3_difference := slice1shift_search_2_3 - slice1shift_reference_2;
+      slice1cost_difference_2_4_difference := slice1shift_search_2_4 - slice1shift_reference_2;
+      slice1cost_difference_2_5_difference := slice1shift_search_2_5 - slice1shift_reference_2;
+      slice1cost_difference_2_6_difference := slice1shift_search_2_6 - slice1shift_reference_2;
+      slice1cost_difference_2_7_difference := slice1shift_search_2_7 - slice1shift_reference_2;
+      slice1cost_difference_2_8_difference := slice1shift_search_2_8 - slice1shift_reference_2;
+      slice1cost_difference_2_9_difference := slice1shift_search_2_9 - slice1shift_reference_2;
+      slice1cost_difference_2_10_difference := slice1shift_search_2_10 - slice1shift_reference_2;
+      slice1cost_difference_2_11_difference := slice1shift_search_2_11 - slice1shift_reference_2;
+      slice1cost_difference_2_12_difference := slice1shift_search_2_12 - slice1shift_reference_2;
+      slice1cost_difference_2_13_difference := slice1shift_search_2_13 - slice1shift_reference_2;
+      slice1cost_difference_2_14_difference := slice1shift_search_2_14 - slice1shift_reference_2;
+      slice1cost_difference_2_15_difference := slice1shift_search_2_15 - slice1shift_reference_2;
+      slice1cost_difference_2_16_difference := slice1shift_search_2_16 - slice1shift_reference_2;
+      slice1cost_difference_2_17_difference := slice1shift_search_2_17 - slice1shift_reference_2;
+      slice1cost_difference_2_18_difference := slice1shift_search_2_18 - slice1shift_reference_2;
+      slice1cost_difference_2_19_difference := slice1shift_search_2_19 - slice1shift_reference_2;
+      slice1cost_difference_2_20_difference := slice1shift_search_2_20 - slice1shift_reference_2;
+      slice1cost_difference_2_21_difference := slice1shift_search_2_21 - slice1shift_reference_2;
+      slice1cost_difference_2_22_difference := slice1shift_search_2_22 - slice1shift_reference_2;
+      slice1cost_difference_2_23_difference := slice1shift_search_2_23 - slice1shift_reference_2;
+      slice1cost_difference_2_24_difference := slice1shift_search_2_24 - slice1shift_reference_2;
+      slice1cost_difference_3_0_difference := slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1_difference := slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2_difference := slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_difference_3_3_difference := slice1shift_search_3_3 - slice1shift_reference_3;
+      slice1cost_difference_3_4_difference := slice1shift_search_3_4 - slice1shift_reference_3;
+      slice1cost_difference_3_5_difference := slice1shift_search_3_5 - slice1shift_reference_3;
+      slice1cost_difference_3_6_difference := slice1shift_search_3_6 - slice1shift_reference_3;
+      slice1cost_difference_3_7_difference := slice1shift_search_3_7 - slice1shift_reference_3;
+      slice1cost_difference_3_8_difference := slice1shift_search_3_8 - slice1shift_reference_3;
+      slice1cost_difference_3_9_difference := slice1shift_search_3_9 - slice1shift_reference_3;
+      slice1cost_difference_3_10_difference := slice1shift_search_3_10 - slice1shift_reference_3;
+      slice1cost_difference_3_11_difference := slice1shift_search_3_11 - slice1shift_reference_3;
+      slice1cost_difference_3_12_difference := slice1shift_search_3_12 - slice1shift_reference_3;
+      slice1cost_difference_3_13_difference := slice1shift_search_3_13 - slice1shift_reference_3;
+      slice1cost_difference_3_14_difference := slice1shift_search_3_14 - slice1shift_reference_3;
+      slice1cost_difference_3_15_difference := slice1shift_search_3_15 - slice1shift_reference_3;
+      slice1cost_difference_3_16_difference := slice1shift_search_3_16 - slice1shift_reference_3;
+      slice1cost_difference_3_17_difference := slice1shift_search_3_17 - slice1shift_reference_3;
+      slice1cost_difference_3_18_difference := slice1shift_search_3_18 - slice1shift_reference_3;
+      slice1cost_difference_3_19_difference := slice1shift_search_3_19 - slice1shift_reference_3;
+      slice1cost_difference_3_20_difference := slice1shift_search_3_20 - slice1shift_reference_3;
+      slice1cost_difference_3_21_difference := slice1shift_search_3_21 - slice1shift_reference_3;
+      slice1cost_difference_3_22_difference := slice1shift_search_3_22 - slice1shift_reference_3;
+      slice1cost_difference_3_23_difference := slice1shift_search_3_23 - slice1shift_reference_3;
+      slice1cost_difference_3_24_difference := slice1shift_search_3_24 - slice1shift_reference_3;
+      slice1cost_signs_difference_column <= slice0cost_signs_difference_column;
+      slice1cost_signs_ready_words_0 <= to_integer(slice1cost_signs_read_words_0);
+      slice1cost_signs_ready_words_1 <= to_integer(slice1cost_signs_read_words_1);
+      slice1cost_difference_0_0 <= (slice1cost_difference_0_0_choice - slice1cost_difference_0_0_choice_2) mod 256;
+      slice1cost_difference_0_1 <= (slice1cost_difference_0_1_choice - slice1cost_difference_0_1_choice_2) mod 256;
+      slice1cost_difference_0_2 <= (slice1cost_difference_0_2_choice - slice1cost_difference_0_2_choice_2) mod 256;
+      slice1cost_difference_0_3 <= (slice1cost_difference_0_3_choice - slice1cost_difference_0_3_choice_2) mod 256;
+      slice1cost_difference_0_4 <= (slice1cost_difference_0_4_choice - slice1cost_difference_0_4_choice_2) mod 256;
+      slice1cost_difference_0_5 <= (slice1cost_difference_0_5_choice - slice1cost_difference_0_5_choice_2) mod 256;
+      slice1cost_difference_0_6 <= (slice1cost_difference_0_6_choice - slice1cost_difference_0_6_choice_2) mod 256;
+      slice1cost_difference_0_7 <= (slice1cost_difference_0_7_choice - slice1cost_difference_0_7_choice_2) mod 256;
+      slice1cost_difference_0_8 <= (slice1cost_difference_0_8_choice - slice1cost_difference_0_8_choice_2) mod 256;
+      slice1cost_difference_0_9 <= (slice1cost_difference_0_9_choice - slice1cost_difference_0_9_choice_2) mod 256;
+      slice1cost_difference_0_10 <= (slice1cost_difference_0_10_choice - slice1cost_difference_0_10_choice_2) mod 256;
+      slice1cost_difference_0_11 <= (slice1cost_difference_0_11_choice - slice1cost_difference_0_11_choice_2) mod 256;
+      slice1cost_difference_0_12 <= (slice1cost_difference_0_12_choice - slice1cost_difference_0_12_choice_2) mod 256;
+      slice1cost_difference_0_13 <= (slice1cost_difference_0_13_choice - slice1cost_difference_0_13_choice_2) mod 256;
+      slice1cost_difference_0_14 <= (slice1cost_difference_0_14_choice - slice1cost_difference_0_14_choice_2) mod 256;
+      slice1cost_difference_0_15 <= (slice1cost_difference_0_15_choice - slice1cost_difference_0_15_choice_2) mod 256;
+      slice1cost_difference_0_16 <= (slice1cost_difference_0_16_choice - slice1cost_difference_0_16_choice_2) mod 256;
+      slice1cost_difference_0_17 <= (slice1cost_difference_0_17_choice - slice1cost_difference_0_17_choice_2) mod 256;
+      slice1cost_difference_0_18 <= (slice1cost_difference_0_18_choice - slice1cost_difference_0_18_choice_2) mod 256;
+      slice1cost_difference_0_19 <= (slice1cost_difference_0_19_choice - slice1cost_difference_0_19_choice_2) mod 256;
+      slice1cost_difference_0_20 <= (slice1cost_difference_0_20_choice - slice1cost_difference_0_20_choice_2) mod 256;
+      slice1cost_difference_0_21 <= (slice1cost_difference_0_21_choice - slice1cost_difference_0_21_choice_2) mod 256;
+      slice1cost_difference_0_22 <= (slice1cost_difference_0_22_choice - slice1cost_difference_0_22_choice_2) mod 256;
+      slice1cost_difference_0_23 <= (slice1cost_difference_0_23_choice - slice1cost_difference_0_23_choice_2) mod 256;
+      slice1cost_difference_0_24 <= (slice1cost_difference_0_24_choice - slice1cost_difference_0_24_choice_2) mod 256;
+      slice1cost_difference_1_0 <= (slice1cost_difference_1_0_choice - slice1cost_difference_1_0_choice_2) mod 256;
+      slice1cost_difference_1_1 <= (slice1cost_difference_1_1_choice - slice1cost_difference_1_1_choice_2) mod 256;
+      slice1cost_difference_1_2 <= (slice1cost_difference_1_2_choice - slice1cost_difference_1_2_choice_2) mod 256;
+      slice1cost_difference_1_3 <= (slice1cost_difference_1_3_choice - slice1cost_difference_1_3_choice_2) mod 256;
+      slice1cost_difference_1_4 <= (slice1cost_difference_1_4_choice - slice1cost_difference_1_4_choice_2) mod 256;
+      slice1cost_difference_1_5 <= (slice1cost_difference_1_5_choice - slice1cost_difference_1_5_choice_2) mod 256;
+      slice1cost_difference_1_6 <= (slice1cost_difference_1_6_choice - slice1cost_difference_1_6_choice_2) mod 256;
+      slice1cost_difference_1_7 <= (slice1cost_difference_1_7_choice - slice1cost_difference_1_7_choice_2) mod 256;
+      slice1cost_difference_1_8 <= (slice1cost_difference_1_8_choice - slice1cost_difference_1_8_choice_2) mod 256;
+      slice1cost_difference_1_9 <= (slice1cost_difference_1_9_choice - slice1cost_difference_1_9_choice_2) mod 256;
+      slice1cost_difference_1_10 <= (slice1cost_difference_1_10_choice - slice1cost_difference_1_10_choice_2) mod 256;
+      slice1cost_difference_1_11 <= (slice1cost_difference_1_11_choice - slice1cost_difference_1_11_choice_2) mod 256;
+      slice1cost_difference_1_12 <= (slice1cost_difference_1_12_choice - slice1cost_difference_1_12_choice_2) mod 256;
+      slice1cost_difference_1_13 <= (slice1cost_difference_1_13_choice - slice1cost_difference_1_13_choice_2) mod 256;
+      slice1cost_difference_1_14 <= (slice1cost_difference_1_14_choice - slice1cost_difference_1_14_choice_2) mod 256;
+      slice1cost_difference_1_15 <= (slice1cost_difference_1_15_choice - slice1cost_difference_1_15_choice_2) mod 256;
+      slice1cost_difference_1_16 <= (slice1cost_difference_1_16_choice - slice1cost_difference_1_16_choice_2) mod 256;
+      slice1cost_difference_1_17 <= (slice1cost_difference_1_17_choice - slice1cost_difference_1_17_choice_2) mod 256;
+      slice1cost_difference_1_18 <= (slice1cost_difference_1_18_choice - slice1cost_difference_1_18_choice_2) mod 256;
+      slice1cost_difference_1_19 <= (slice1cost_difference_1_19_choice - slice1cost_difference_1_19_choice_2) mod 256;
+      slice1cost_difference_1_20 <= (slice1cost_difference_1_20_choice - slice1cost_difference_1_20_choice_2) mod 256;
+      slice1cost_difference_1_21 <= (slice1cost_difference_1_21_choice - slice1cost_difference_1_21_choice_2) mod 256;
+      slice1cost_difference_1_22 <= (slice1cost_difference_1_22_choice - slice1cost_difference_1_22_choice_2) mod 256;
+      slice1cost_difference_1_23 <= (slice1cost_difference_1_23_choice - slice1cost_difference_1_23_choice_2) mod 256;
+      slice1cost_difference_1_24 <= (slice1cost_difference_1_24_choice - slice1cost_difference_1_24_choice_2) mod 256;
+      slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference when (slice0cost_difference_tag_newest_inside
+        mod 2) = 1 else 0;
+      slice1cost_difference_3_0 <= slice1cost_difference_3_0_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_1 <= slice1cost_difference_3_1_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_2 <= slice1cost_difference_3_2_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_3 <= slice1cost_difference_3_3_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_4 <= slice1cost_difference_3_4_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_5 <= slice1cost_difference_3_5_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_6 <= slice1cost_difference_3_6_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_7 <= slice1cost_difference_3_7_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_8 <= slice1cost_difference_3_8_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_9 <= slice1cost_difference_3_9_difference when (slice0cost_difference_tag_newest_inside /
+        2) = 1 else 0;
+      slice1cost_difference_3_10 <= slice1cost_difference_3_10_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_11 <= slice1cost_difference_3_11_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_12 <= slice1cost_difference_3_12_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_13 <= slice1cost_difference_3_13_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_14 <= slice1cost_difference_3_14_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_15 <= slice1cost_difference_3_15_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_16 <= slice1cost_difference_3_16_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_17 <= slice1cost_difference_3_17_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_18 <= slice1cost_difference_3_18_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_19 <= slice1cost_difference_3_19_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_20 <= slice1cost_difference_3_20_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_21 <= slice1cost_difference_3_21_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_22 <= slice1cost_difference_3_22_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_23 <= slice1cost_difference_3_23_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_difference_3_24 <= slice1cost_difference_3_24_difference when (slice0cost_difference_tag_newest_inside
+        / 2) = 1 else 0;
+      slice1cost_newest_negative_0_0 <= slice1cost_difference_2_0_difference < 0;
+      slice1cost_newest_negative_0_1 <= slice1cost_difference_2_1_difference < 0;
+      slice1cost_newest_negative_0_2 <= slice1cost_difference_2_2_difference < 0;
+      slice1cost_newest_negative_0_3 <= slice1cost_difference_2_3_difference < 0;
+      slice1cost_newest_negative_0_4 <= slice1cost_difference_2_4_difference < 0;
+      slice1cost_newest_negative_0_5 <= slice1cost_difference_2_5_difference < 0;
+      slice1cost_newest_negative_0_6 <= slice1cost_difference_2_6_difference < 0;
+      slice1cost_newest_negative_0_7 <= slice1cost_difference_2_7_difference < 0;
+      slice1cost_newest_negative_0_8 <= slice1cost_difference_2_8_difference < 0;
+      slice1cost_newest_negative_0_9 <= slice1cost_difference_2_9_difference < 0;
+      slice1cost_newest_negative_0_10 <= slice1cost_difference_2_10_difference < 0;
+      slice1cost_newest_negative_0_11 <= slice1cost_difference_2_11_difference < 0;
+      slice1cost_newest_negative_0_12 <= slice1cost_difference_2_12_difference < 0;
+      slice1cost_newest_negative_0_13 <= slice1cost_difference_2_13_difference < 0;
+      slice1cost_newest_negative_0_14 <= slice1cost_difference_2_14_difference < 0;
+      slice1cost_newest_negative_0_15 <= slice1cost_difference_2_15_difference < 0;
+      slice1cost_newest_negative_0_16 <= slice1cost_difference_2_16_difference < 0;
+      slice1cost_newest_negative_0_17 <= slice1cost_difference_2_17_difference < 0;
+      slice1cost_newest_negative_0_18 <= slice1cost_difference_2_18_difference < 0;
+      slice1cost_newest_negative_0_19 <= slice1cost_difference_2_19_difference < 0;
+      slice1cost_newest_negative_0_20 <= slice1cost_difference_2_20_difference < 0;
+      slice1cost_newest_negative_0_21 <= slice1cost_difference_2_21_difference < 0;
+      slice1cost_newest_negative_0_22 <= slice1cost_difference_2_22_difference < 0;
+      slice1cost_newest_negative_0_23 <= slice1cost_difference_2_23_difference < 0;
+      slice1cost_newest_negative_0_24 <= slice1cost_difference_2_24_difference < 0;
+      slice1cost_newest_negative_1_0 <= slice1cost_difference_3_0_difference < 0;
+      slice1cost_newest_negative_1_1 <= slice1cost_difference_3_1_difference < 0;
+      slice1cost_newest_negative_1_2 <= slice1cost_difference_3_2_difference < 0;
+      slice1cost_newest_negative_1_3 <= slice1cost_difference_3_3_difference < 0;
+      slice1cost_newest_negative_1_4 <= slice1cost_difference_3_4_difference < 0;
+      slice1cost_newest_negative_1_5 <= slice1cost_difference_3_5_difference < 0;
+      slice1cost_newest_negative_1_6 <= slice1cost_difference_3_6_difference < 0;
+      slice1cost_newest_negative_1_7 <= slice1cost_difference_3_7_difference < 0;
+      slice1cost_newest_negative_1_8 <= slice1cost_difference_3_8_difference < 0;
+      slice1cost_newest_negative_1_9 <= slice1cost_difference_3_9_difference < 0;
+      slice1cost_newest_negative_1_10 <= slice1cost_difference_3_10_difference < 0;
+      slice1cost_newest_negative_1_11 <= slice1cost_difference_3_11_difference < 0;
+      slice1cost_newest_negative_1_12 <= slice1cost_difference_3_12_difference < 0;
+      slice1cost_newest_negative_1_13 <= slice1cost_difference_3_13_difference < 0;
+      slice1cost_newest_negative_1_14 <= slice1cost_difference_3_14_difference < 0;
+      slice1cost_newest_negative_1_15 <= slice1cost_difference_3_15_difference < 0;
+      slice1cost_newest_negative_1_16 <= slice1cost_difference_3_16_difference < 0;
+      slice1cost_newest_negative_1_17 <= slice1cost_difference_3_17_difference < 0;
+      slice1cost_newest_negative_1_18 <= slice1cost_difference_3_18_difference < 0;
+      slice1cost_newest_negative_1_19 <= slice1cost_difference_3_19_difference < 0;
+      slice1cost_newest_negative_1_20 <= slice1cost_difference_3_20_difference < 0;
+      slice1cost_newest_negative_1_21 <= slice1cost_difference_3_21_difference < 0;
+      slice1cost_newest_negative_1_22 <= slice1cost_difference_3_22_difference < 0;
+      slice1cost_newest_negative_1_23 <= slice1cost_difference_3_23_difference < 0;
+      slice1cost_newest_negative_1_24 <= slice1cost_difference_3_24_difference < 0;
+      slice1cost_pair_0_0 <= as_number((slice1cost_difference_2_0 < 0)) + slice1cost_difference_1_0 +
+        folded(slice1cost_difference_2_0);
+      slice1cost_pair_0_1 <= as_number((slice1cost_difference_2_1 < 0)) + slice1cost_difference_1_1 +
+        folded(slice1cost_difference_2_1);
+      slice1cost_pair_0_2 <= as_number((slice1cost_difference_2_2 < 0)) + slice1cost_difference_1_2 +
+        folded(slice1cost_difference_2_2);
+      slice1cost_pair_0_3 <= as_number((slice1cost_difference_2_3 < 0)) + slice1cost_difference_1_3 +
+        folded(slice1cost_difference_2_3);
+      slice1cost_pair_0_4 <= as_number((slice1cost_difference_2_4 < 0)) + slice1cost_difference_1_4 +
+        folded(slice1cost_difference_2_4);
+      slice1cost_pair_0_5 <= as_number((slice1cost_difference_2_5 < 0)) + slice1cost_difference_1_5 +
+        folded(slice1cost_difference_2_5);
+      slice1cost_pair_0_6 <= as_number((slice1cost_difference_2_6 < 0)) + slice1cost_difference_1_6 +
+        folded(slice1cost_difference_2_6);
+      slice1cost_pair_0_7 <= as_number((slice1cost_difference_2_7 < 0)) + slice1cost_difference_1_7 +
+        folded(slice1cost_difference_2_7);
+      slice1cost_pair_0_8 <= as_number((slice1cost_difference_2_8 < 0)) + slice1cost_difference_1_8 +
+        folded(slice1cost_difference_2_8);
+      slice1cost_pair_0_9 <= as_number((slice1cost_difference_2_9 < 0)) + slice1cost_difference_1_9 +
+        folded(slice1cost_difference_2_9);
+      slice1cost_pair_0_10 <= as_number((slice1cost_difference_2_10 < 0)) + slice1cost_difference_1_10 +
+        folded(slice1cost_difference_2_10);
+      slice1cost_pair_0_11 <= as_number((slice1cost_difference_2_11 < 0)) + slice1cost_difference_1_11 +
+        folded(slice1cost_difference_2_11);
+      slice1cost_pair_0_12 <= as_number((slice1cost_difference_2_12 < 0)) + slice1cost_difference_1_12 +
+        folded(slice1cost_difference_2_12);
+      slice1cost_pair_0_13 <= as_number((slice1cost_difference_2_13 < 0)) + slice1cost_difference_1_13 +
+        folded(slice1cost_difference_2_13);
+      slice1cost_pair_0_14 <= as_number((slice1cost_difference_2_14 < 0)) + slice1cost_difference_1_14 +
+        folded(slice1cost_difference_2_14);
+      slice1cost_pair_0_15 <= as_number((slice1cost_difference_2_15 < 0)) + slice1cost_difference_1_15 +
+        folded(slice1cost_difference_2_15);
+      slice1cost_pair_0_16 <= as_number((slice1cost_difference_2_16 < 0)) + slice1cost_difference_1_16 +
+        folded(slice1cost_difference_2_16);
+      slice1cost_pair_0_17 <= as_number((slice1cost_difference_2_17 < 0)) + slice1cost_difference_1_17 +
+        folded(slice1cost_difference_2_17);
+      slice1cost_pair_0_18 <= as_number((slice1cost_difference_2_18 < 0)) + slice1cost_difference_1_18 +
+        folded(slice1cost_difference_2_18);
+      slice1cost_pair_0_19 <= as_number((slice1cost_difference_2_19 < 0)) + slice1cost_difference_1_19 +
+        folded(slice1cost_difference_2_19);
+      slice1cost_pair_0_20 <= as_number((slice1cost_difference_2_20 < 0)) + slice1cost_difference_1_20 +
+        folded(slice1cost_difference_2_20);
+      slice1cost_pair_0_21 <= as_number((slice1cost_difference_2_21 < 0)) + slice1cost_difference_1_21 +
+        folded(slice1cost_difference_2_21);
+      slice1cost_pair_0_22 <= as_number((slice1cost_difference_2_22 < 0)) + slice1cost_difference_1_22 +
+        folded(slice1cost_difference_2_22);
+      slice1cost_pair_0_23 <= as_number((slice1cost_difference_2_23 < 0)) + slice1cost_difference_1_23 +
+        folded(slice1cost_difference_2_23);
+      slice1cost_pair_0_24 <= as_number((slice1cost_difference_2_24 < 0)) + slice1cost_difference_1_24 +
+        folded(slice1cost_difference_2_24);
+      slice1cost_single_0_0 <= slice1cost_difference_0_0;
+      slice1cost_single_0_1 <= slice1cost_difference_0_1;
+      slice1cost_single_0_2 <= slice1cost_difference_0_2;
+      slice1cost_single_0_3 <= slice1cost_difference_0_3;
+      slice1cost_single_0_4 <= slice1cost_difference_0_4;
+      slice1cost_single_0_5 <= slice1cost_difference_0_5;
+      slice1cost_single_0_6 <= slice1cost_difference_0_6;
+      slice1cost_single_0_7 <= slice1cost_difference_0_7;
+      slice1cost_single_0_8 <= slice1cost_difference_0_8;
+      slice1cost_single_0_9 <= slice1cost_difference_0_9;
+      slice1cost_single_0_10 <= slice1cost_difference_0_10;
+      slice1cost_single_0_11 <= slice1cost_difference_0_11;
+      slice1cost_single_0_12 <= slice1cost_difference_0_12;
+      slice1cost_single_0_13 <= slice1cost_difference_0_13;
+      slice1cost_single_0_14 <= slice1cost_difference_0_14;
+      slice1cost_single_0_15 <= slice1cost_difference_0_15;
+      slice1cost_single_0_16 <= slice1cost_difference_0_16;
+      slice1cost_single_0_17 <= slice1cost_difference_0_17;
+      slice1cost_single_0_18 <= slice1cost_difference_0_18;
+      slice1cost_single_0_19 <= slice1cost_difference_0_19;
+      slice1cost_single_0_20 <= slice1cost_difference_0_20;
+      slice1cost_single_0_21 <= slice1cost_difference_0_21;
+      slice1cost_single_0_22 <= slice1cost_difference_0_22;
+      slice1cost_single_0_23 <= slice1cost_difference_0_23;
+      slice1cost_single_0_24 <= slice1cost_difference_0_24;
       slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
       slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
       slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
@@ -2830,157 +4216,138 @@ begin
       slice1cost_single_3_22 <= folded(slice1cost_difference_3_22);
       slice1cost_single_3_23 <= folded(slice1cost_difference_3_23);
       slice1cost_single_3_24 <= folded(slice1cost_difference_3_24);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
-      slice1cost_negative_0_8 <= slice1cost_difference_0_8 < 0;
-      slice1cost_negative_0_9 <= slice1cost_difference_0_9 < 0;
-      slice1cost_negative_0_10 <= slice1cost_difference_0_10 < 0;
-      slice1cost_negative_0_11 <= slice1cost_difference_0_11 < 0;
-      slice1cost_negative_0_12 <= slice1cost_difference_0_12 < 0;
-      slice1cost_negative_0_13 <= slice1cost_difference_0_13 < 0;
-      slice1cost_negative_0_14 <= slice1cost_difference_0_14 < 0;
-      slice1cost_negative_0_15 <= slice1cost_difference_0_15 < 0;
-      slice1cost_negative_0_16 <= slice1cost_difference_0_16 < 0;
-      slice1cost_negative_0_17 <= slice1cost_difference_0_17 < 0;
-      slice1cost_negative_0_18 <= slice1cost_difference_0_18 < 0;
-      slice1cost_negative_0_19 <= slice1cost_difference_0_19 < 0;
-      slice1cost_negative_0_20 <= slice1cost_difference_0_20 < 0;
-      slice1cost_negative_0_21 <= slice1cost_difference_0_21 < 0;
-      slice1cost_negative_0_22 <= slice1cost_difference_0_22 < 0;
-      slice1cost_negative_0_23 <= slice1cost_difference_0_23 < 0;
-      slice1cost_negative_0_24 <= slice1cost_difference_0_24 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_negative_3_3 <= slice1cost_difference_3_3 < 0;
-      slice1cost_negative_3_4 <= slice1cost_difference_3_4 < 0;
-      slice1cost_negative_3_5 <= slice1cost_difference_3_5 < 0;
-      slice1cost_negative_3_6 <= slice1cost_difference_3_6 < 0;
-      slice1cost_negative_3_7 <= slice1cost_difference_3_7 < 0;
-      slice1cost_negative_3_8 <= slice1cost_difference_3_8 < 0;
-      slice1cost_negative_3_9 <= slice1cost_difference_3_9 < 0;
-      slice1cost_negative_3_10 <= slice1cost_difference_3_10 < 0;
-      slice1cost_negative_3_11 <= slice1cost_difference_3_11 < 0;
-      slice1cost_negative_3_12 <= slice1cost_difference_3_12 < 0;
-      slice1cost_negative_3_13 <= slice1cost_difference_3_13 < 0;
-      slice1cost_negative_3_14 <= slice1cost_difference_3_14 < 0;
-      slice1cost_negative_3_15 <= slice1cost_difference_3_15 < 0;
-      slice1cost_negative_3_16 <= slice1cost_difference_3_16 < 0;
-      slice1cost_negative_3_17 <= slice1cost_difference_3_17 < 0;
-      slice1cost_negative_3_18 <= slice1cost_difference_3_18 < 0;
-      slice1cost_negative_3_19 <= slice1cost_difference_3_19 < 0;
-      slice1cost_negative_3_20 <= slice1cost_difference_3_20 < 0;
-      slice1cost_negative_3_21 <= slice1cost_difference_3_21 < 0;
-      slice1cost_negative_3_22 <= slice1cost_difference_3_22 < 0;
-      slice1cost_negative_3_23 <= slice1cost_difference_3_23 < 0;
-      slice1cost_negative_3_24 <= slice1cost_difference_3_24 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_0_5 + slice1cost_single_0_5;
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_0_6 + slice1cost_single_0_6;
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_0_7 + slice1cost_single_0_7;
-      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_8) +
-        slice1cost_pair_0_8 + slice1cost_single_0_8;
-      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_9) +
-        slice1cost_pair_0_9 + slice1cost_single_0_9;
-      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_10) +
-        slice1cost_pair_0_10 + slice1cost_single_0_10;
-      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_11) +
-        slice1cost_pair_0_11 + slice1cost_single_0_11;
-      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_12) +
-        slice1cost_pair_0_12 + slice1cost_single_0_12;
-      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_13) +
-        slice1cost_pair_0_13 + slice1cost_single_0_13;
-      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_14) +
-        slice1cost_pair_0_14 + slice1cost_single_0_14;
-      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_15) +
-        slice1cost_pair_0_15 + slice1cost_single_0_15;
-      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_16) +
-        slice1cost_pair_0_16 + slice1cost_single_0_16;
-      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_17) +
-        slice1cost_pair_0_17 + slice1cost_single_0_17;
-      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_18) +
-        slice1cost_pair_0_18 + slice1cost_single_0_18;
-      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_19) +
-        slice1cost_pair_0_19 + slice1cost_single_0_19;
-      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_20) +
-        slice1cost_pair_0_20 + slice1cost_single_0_20;
-      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_21) +
-        slice1cost_pair_0_21 + slice1cost_single_0_21;
-      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_22) +
-        slice1cost_pair_0_22 + slice1cost_single_0_22;
-      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_23) +
-        slice1cost_pair_0_23 + slice1cost_single_0_23;
-      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_24) +
-        slice1cost_pair_0_24 + slice1cost_single_0_24;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
+      slice1cost_single_negative_3_0 <= slice1cost_difference_3_0 < 0;
+      slice1cost_single_negative_3_1 <= slice1cost_difference_3_1 < 0;
+      slice1cost_single_negative_3_2 <= slice1cost_difference_3_2 < 0;
+      slice1cost_single_negative_3_3 <= slice1cost_difference_3_3 < 0;
+      slice1cost_single_negative_3_4 <= slice1cost_difference_3_4 < 0;
+      slice1cost_single_negative_3_5 <= slice1cost_difference_3_5 < 0;
+      slice1cost_single_negative_3_6 <= slice1cost_difference_3_6 < 0;
+      slice1cost_single_negative_3_7 <= slice1cost_difference_3_7 < 0;
+      slice1cost_single_negative_3_8 <= slice1cost_difference_3_8 < 0;
+      slice1cost_single_negative_3_9 <= slice1cost_difference_3_9 < 0;
+      slice1cost_single_negative_3_10 <= slice1cost_difference_3_10 < 0;
+      slice1cost_single_negative_3_11 <= slice1cost_difference_3_11 < 0;
+      slice1cost_single_negative_3_12 <= slice1cost_difference_3_12 < 0;
+      slice1cost_single_negative_3_13 <= slice1cost_difference_3_13 < 0;
+      slice1cost_single_negative_3_14 <= slice1cost_difference_3_14 < 0;
+      slice1cost_single_negative_3_15 <= slice1cost_difference_3_15 < 0;
+      slice1cost_single_negative_3_16 <= slice1cost_difference_3_16 < 0;
+      slice1cost_single_negative_3_17 <= slice1cost_difference_3_17 < 0;
+      slice1cost_single_negative_3_18 <= slice1cost_difference_3_18 < 0;
+      slice1cost_single_negative_3_19 <= slice1cost_difference_3_19 < 0;
+      slice1cost_single_negative_3_20 <= slice1cost_difference_3_20 < 0;
+      slice1cost_single_negative_3_21 <= slice1cost_difference_3_21 < 0;
+      slice1cost_single_negative_3_22 <= slice1cost_difference_3_22 < 0;
+      slice1cost_single_negative_3_23 <= slice1cost_difference_3_23 < 0;
+      slice1cost_single_negative_3_24 <= slice1cost_difference_3_24 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_5 + slice1cost_single_0_5;
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_6 + slice1cost_single_0_6;
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_7 + slice1cost_single_0_7;
+      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_8 + slice1cost_single_0_8;
+      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_9 + slice1cost_single_0_9;
+      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_10 + slice1cost_single_0_10;
+      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_11 + slice1cost_single_0_11;
+      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_12 + slice1cost_single_0_12;
+      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_13 + slice1cost_single_0_13;
+      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_14 + slice1cost_single_0_14;
+      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_15 + slice1cost_single_0_15;
+      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_16 + slice1cost_single_0_16;
+      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_17 + slice1cost_single_0_17;
+      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_18 + slice1cost_single_0_18;
+      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_19 + slice1cost_single_0_19;
+      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_20 + slice1cost_single_0_20;
+      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_21 + slice1cost_single_0_21;
+      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_22 + slice1cost_single_0_22;
+      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_23 + slice1cost_single_0_23;
+      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_24 + slice1cost_single_0_24;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_0) +
         slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_1) +
         slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_2) +
         slice1cost_pair_0_2 + slice1cost_single_3_2;
-      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_3) +
+      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_3) +
         slice1cost_pair_0_3 + slice1cost_single_3_3;
-      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_4) +
+      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_4) +
         slice1cost_pair_0_4 + slice1cost_single_3_4;
-      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_5) +
+      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_5) +
         slice1cost_pair_0_5 + slice1cost_single_3_5;
-      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_6) +
+      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_6) +
         slice1cost_pair_0_6 + slice1cost_single_3_6;
-      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_7) +
+      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_7) +
         slice1cost_pair_0_7 + slice1cost_single_3_7;
-      slice1cost_column_1_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_8) +
+      slice1cost_column_1_8 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_8) +
         slice1cost_pair_0_8 + slice1cost_single_3_8;
-      slice1cost_column_1_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_9) +
+      slice1cost_column_1_9 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_9) +
         slice1cost_pair_0_9 + slice1cost_single_3_9;
-      slice1cost_column_1_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_10) +
+      slice1cost_column_1_10 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_10) +
         slice1cost_pair_0_10 + slice1cost_single_3_10;
-      slice1cost_column_1_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_11) +
+      slice1cost_column_1_11 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_11) +
         slice1cost_pair_0_11 + slice1cost_single_3_11;
-      slice1cost_column_1_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_12) +
+      slice1cost_column_1_12 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_12) +
         slice1cost_pair_0_12 + slice1cost_single_3_12;
-      slice1cost_column_1_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_13) +
+      slice1cost_column_1_13 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_13) +
         slice1cost_pair_0_13 + slice1cost_single_3_13;
-      slice1cost_column_1_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_14) +
+      slice1cost_column_1_14 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_14) +
         slice1cost_pair_0_14 + slice1cost_single_3_14;
-      slice1cost_column_1_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_15) +
+      slice1cost_column_1_15 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_15) +
         slice1cost_pair_0_15 + slice1cost_single_3_15;
-      slice1cost_column_1_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_16) +
+      slice1cost_column_1_16 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_16) +
         slice1cost_pair_0_16 + slice1cost_single_3_16;
-      slice1cost_column_1_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_17) +
+      slice1cost_column_1_17 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_17) +
         slice1cost_pair_0_17 + slice1cost_single_3_17;
-      slice1cost_column_1_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_18) +
+      slice1cost_column_1_18 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_18) +
         slice1cost_pair_0_18 + slice1cost_single_3_18;
-      slice1cost_column_1_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_19) +
+      slice1cost_column_1_19 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_19) +
         slice1cost_pair_0_19 + slice1cost_single_3_19;
-      slice1cost_column_1_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_20) +
+      slice1cost_column_1_20 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_20) +
         slice1cost_pair_0_20 + slice1cost_single_3_20;
-      slice1cost_column_1_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_21) +
+      slice1cost_column_1_21 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_21) +
         slice1cost_pair_0_21 + slice1cost_single_3_21;
-      slice1cost_column_1_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_22) +
+      slice1cost_column_1_22 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_22) +
         slice1cost_pair_0_22 + slice1cost_single_3_22;
-      slice1cost_column_1_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_23) +
+      slice1cost_column_1_23 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_23) +
         slice1cost_pair_0_23 + slice1cost_single_3_23;
-      slice1cost_column_1_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_24) +
+      slice1cost_column_1_24 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_24) +
         slice1cost_pair_0_24 + slice1cost_single_3_24;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_pair_tag_valid then
+        slice1cost_signs_write_column <= slice1cost_signs_difference_column;
+        slice1cost_signs_write_words_0 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice1cost_newest_negative_0_24) * 16777216) + (as_number(slice1cost_newest_negative_0_22) *
+          4194304) + (as_number(slice1cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice1cost_newest_negative_0_20) * 1048576) + (as_number(slice1cost_newest_negative_0_19) *
+          524288) + (as_number(slice1cost_newest_negative_0_18) * 262144) + (as_number(slice1cost_newest_negative_0_17)
+          * 131072) + (as_number(slice1cost_newest_negative_0_16) * 65536) +
+          (as_number(slice1cost_newest_negative_0_15) * 32768) + (as_number(slice1cost_newest_negative_0_14) * 16384) +
+          (as_number(slice1cost_newest_negative_0_13) * 8192) + (as_number(slice1cost_newest_negative_0_12) * 4096) +
+          (as_number(slice1cost_newest_negative_0_11) * 2048) + (as_number(slice1cost_newest_negative_0_10) * 1024) +
+          (as_number(slice1cost_newest_negative_0_9) * 512) + (as_number(slice1cost_newest_negative_0_8) * 256) +
+          (as_number(slice1cost_newest_negative_0_6) * 64) + (as_number(slice1cost_newest_negative_0_7) * 128) +
+          (as_number(slice1cost_newest_negative_0_5) * 32) + (as_number(slice1cost_newest_negative_0_4) * 16) +
+          (as_number(slice1cost_newest_negative_0_3) * 8) + (as_number(slice1cost_newest_negative_0_2) * 4) +
+          as_number(slice1cost_newest_negative_0_0) + (as_number(slice1cost_newest_negative_0_1) * 2);
+        slice1cost_signs_write_words_1 <= (as_number(slice1cost_newest_negative_1_23) * 8388608) +
+          (as_number(slice1cost_newest_negative_1_24) * 16777216) + (as_number(slice1cost_newest_negative_1_22) *
+          4194304) + (as_number(slice1cost_newest_negative_1_21) * 2097152) +
+          (as_number(slice1cost_newest_negative_1_20) * 1048576) + (as_number(slice1cost_newest_negative_1_19) *
+          524288) + (as_number(slice1cost_newest_negative_1_18) * 262144) + (as_number(slice1cost_newest_negative_1_17)
+          * 131072) + (as_number(slice1cost_newest_negative_1_16) * 65536) +
+          (as_number(slice1cost_newest_negative_1_15) * 32768) + (as_number(slice1cost_newest_negative_1_14) * 16384) +
+          (as_number(slice1cost_newest_negative_1_13) * 8192) + (as_number(slice1cost_newest_negative_1_12) * 4096) +
+          (as_number(slice1cost_newest_negative_1_11) * 2048) + (as_number(slice1cost_newest_negative_1_10) * 1024) +
+          (as_number(slice1cost_newest_negative_1_9) * 512) + (as_number(slice1cost_newest_negative_1_8) * 256) +
+          (as_number(slice1cost_newest_negative_1_6) * 64) + (as_number(slice1cost_newest_negative_1_7) * 128) +
+          (as_number(slice1cost_newest_negative_1_5) * 32) + (as_number(slice1cost_newest_negative_1_4) * 16) +
+          (as_number(slice1cost_newest_negative_1_3) * 8) + (as_number(slice1cost_newest_negative_1_2) * 4) +
+          as_number(slice1cost_newest_negative_1_0) + (as_number(slice1cost_newest_negative_1_1) * 2);
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -3135,241 +4502,363 @@ begin
       slice1window_sum_1_23 <= slice1cost_column_1_23 + slice1window_partial_1_1_23;
       slice1window_sum_1_24 <= slice1cost_column_1_24 + slice1window_partial_1_1_24;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8_is_less := slice1window_sum_0_17 < slice1window_sum_0_16;
-      slice1winner1_best_cost_0_9_is_less := slice1window_sum_0_19 < slice1window_sum_0_18;
-      slice1winner1_best_cost_0_10_is_less := slice1window_sum_0_21 < slice1window_sum_0_20;
-      slice1winner1_best_cost_0_11_is_less := slice1window_sum_0_23 < slice1window_sum_0_22;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1_is_less := slice1window_sum_1_3 < slice1window_sum_1_2;
-      slice1winner1_best_cost_1_2_is_less := slice1window_sum_1_5 < slice1window_sum_1_4;
-      slice1winner1_best_cost_1_3_is_less := slice1window_sum_1_7 < slice1window_sum_1_6;
-      slice1winner1_best_cost_1_4_is_less := slice1window_sum_1_9 < slice1window_sum_1_8;
-      slice1winner1_best_cost_1_5_is_less := slice1window_sum_1_11 < slice1window_sum_1_10;
-      slice1winner1_best_cost_1_6_is_less := slice1window_sum_1_13 < slice1window_sum_1_12;
-      slice1winner1_best_cost_1_7_is_less := slice1window_sum_1_15 < slice1window_sum_1_14;
-      slice1winner1_best_cost_1_8_is_less := slice1window_sum_1_17 < slice1window_sum_1_16;
-      slice1winner1_best_cost_1_9_is_less := slice1window_sum_1_19 < slice1window_sum_1_18;
-      slice1winner1_best_cost_1_10_is_less := slice1window_sum_1_21 < slice1window_sum_1_20;
-      slice1winner1_best_cost_1_11_is_less := slice1window_sum_1_23 < slice1window_sum_1_22;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
-        slice1window_sum_0_16;
-      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
-        slice1window_sum_0_18;
-      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
-        slice1window_sum_0_20;
-      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
-        slice1window_sum_0_22;
-      slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
-        slice1window_sum_1_2;
-      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
-        slice1window_sum_1_4;
-      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
-        slice1window_sum_1_6;
-      slice1winner1_best_cost_1_4 <= slice1window_sum_1_9 when slice1winner1_best_cost_1_4_is_less else
-        slice1window_sum_1_8;
-      slice1winner1_best_cost_1_5 <= slice1window_sum_1_11 when slice1winner1_best_cost_1_5_is_less else
-        slice1window_sum_1_10;
-      slice1winner1_best_cost_1_6 <= slice1window_sum_1_13 when slice1winner1_best_cost_1_6_is_less else
-        slice1window_sum_1_12;
-      slice1winner1_best_cost_1_7 <= slice1window_sum_1_15 when slice1winner1_best_cost_1_7_is_less else
-        slice1window_sum_1_14;
-      slice1winner1_best_cost_1_8 <= slice1window_sum_1_17 when slice1winner1_best_cost_1_8_is_less else
-        slice1window_sum_1_16;
-      slice1winner1_best_cost_1_9 <= slice1window_sum_1_19 when slice1winner1_best_cost_1_9_is_less else
-        slice1window_sum_1_18;
-      slice1winner1_best_cost_1_10 <= slice1window_sum_1_21 when slice1winner1_best_cost_1_10_is_less else
-        slice1window_sum_1_20;
-      slice1winner1_best_cost_1_11 <= slice1window_sum_1_23 when slice1winner1_best_cost_1_11_is_less else
-        slice1window_sum_1_22;
-      slice1winner1_best_cost_1_12 <= slice1window_sum_1_24;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
-      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
-      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
-      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
-      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
-      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
-      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
-      slice1winner1_best_index_1_4 <= 9 when slice1winner1_best_cost_1_4_is_less else 8;
-      slice1winner1_best_index_1_5 <= 11 when slice1winner1_best_cost_1_5_is_less else 10;
-      slice1winner1_best_index_1_6 <= 13 when slice1winner1_best_cost_1_6_is_less else 12;
-      slice1winner1_best_index_1_7 <= 15 when slice1winner1_best_cost_1_7_is_less else 14;
-      slice1winner1_best_index_1_8 <= 17 when slice1winner1_best_cost_1_8_is_less else 16;
-      slice1winner1_best_index_1_9 <= 19 when slice1winner1_best_cost_1_9_is_less else 18;
-      slice1winner1_best_index_1_10 <= 21 when slice1winner1_best_cost_1_10_is_less else 20;
-      slice1winner1_best_index_1_11 <= 23 when slice1winner1_best_cost_1_11_is_less else 22;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_of_pair_0_16_is_less := (slice1window_sum_0_17 - slice1window_sum_0_16) < 0;
+      slice1winner1_of_pair_0_18_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
+      slice1winner1_of_pair_0_20_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
+      slice1winner1_of_pair_0_22_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_pair_1_2_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
+      slice1winner1_of_pair_1_4_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
+      slice1winner1_of_pair_1_6_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
+      slice1winner1_of_pair_1_8_is_less := (slice1window_sum_1_9 - slice1window_sum_1_8) < 0;
+      slice1winner1_of_pair_1_10_is_less := (slice1window_sum_1_11 - slice1window_sum_1_10) < 0;
+      slice1winner1_of_pair_1_12_is_less := (slice1window_sum_1_13 - slice1window_sum_1_12) < 0;
+      slice1winner1_of_pair_1_14_is_less := (slice1window_sum_1_15 - slice1window_sum_1_14) < 0;
+      slice1winner1_of_pair_1_16_is_less := (slice1window_sum_1_17 - slice1window_sum_1_16) < 0;
+      slice1winner1_of_pair_1_18_is_less := (slice1window_sum_1_19 - slice1window_sum_1_18) < 0;
+      slice1winner1_of_pair_1_20_is_less := (slice1window_sum_1_21 - slice1window_sum_1_20) < 0;
+      slice1winner1_of_pair_1_22_is_less := (slice1window_sum_1_23 - slice1window_sum_1_22) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
+      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_9, 12))))) < 0;
+      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_13, 12))))) < 0;
+      slice1winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_18, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_16, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_17, 12))))) < 0;
+      slice1winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_22, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_20, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_21, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_2, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
+      slice1winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_6, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_4, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_5, 12))))) < 0;
+      slice1winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_10, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_8, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_9, 12))))) < 0;
+      slice1winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_14, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_12, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_13, 12))))) < 0;
+      slice1winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_18, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_16, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_17, 12))))) < 0;
+      slice1winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_22, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_20, 12)) or
+        (to_unsigned(slice1winner1_of_pair_1_21, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
+      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
+      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
+      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
+      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
+      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
+      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
+      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
+      slice1winner1_of_pair_0_16 <= 0 when slice1winner1_of_pair_0_16_is_less else slice1window_sum_0_16;
+      slice1winner1_of_pair_0_17 <= slice1window_sum_0_17 when slice1winner1_of_pair_0_16_is_less else 0;
+      slice1winner1_of_pair_0_18 <= 0 when slice1winner1_of_pair_0_18_is_less else slice1window_sum_0_18;
+      slice1winner1_of_pair_0_19 <= slice1window_sum_0_19 when slice1winner1_of_pair_0_18_is_less else 0;
+      slice1winner1_of_pair_0_20 <= 0 when slice1winner1_of_pair_0_20_is_less else slice1window_sum_0_20;
+      slice1winner1_of_pair_0_21 <= slice1window_sum_0_21 when slice1winner1_of_pair_0_20_is_less else 0;
+      slice1winner1_of_pair_0_22 <= 0 when slice1winner1_of_pair_0_22_is_less else slice1window_sum_0_22;
+      slice1winner1_of_pair_0_23 <= slice1window_sum_0_23 when slice1winner1_of_pair_0_22_is_less else 0;
+      slice1winner1_of_pair_0_24 <= slice1window_sum_0_24;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= 0 when slice1winner1_of_pair_1_2_is_less else slice1window_sum_1_2;
+      slice1winner1_of_pair_1_3 <= slice1window_sum_1_3 when slice1winner1_of_pair_1_2_is_less else 0;
+      slice1winner1_of_pair_1_4 <= 0 when slice1winner1_of_pair_1_4_is_less else slice1window_sum_1_4;
+      slice1winner1_of_pair_1_5 <= slice1window_sum_1_5 when slice1winner1_of_pair_1_4_is_less else 0;
+      slice1winner1_of_pair_1_6 <= 0 when slice1winner1_of_pair_1_6_is_less else slice1window_sum_1_6;
+      slice1winner1_of_pair_1_7 <= slice1window_sum_1_7 when slice1winner1_of_pair_1_6_is_less else 0;
+      slice1winner1_of_pair_1_8 <= 0 when slice1winner1_of_pair_1_8_is_less else slice1window_sum_1_8;
+      slice1winner1_of_pair_1_9 <= slice1window_sum_1_9 when slice1winner1_of_pair_1_8_is_less else 0;
+      slice1winner1_of_pair_1_10 <= 0 when slice1winner1_of_pair_1_10_is_less else slice1window_sum_1_10;
+      slice1winner1_of_pair_1_11 <= slice1window_sum_1_11 when slice1winner1_of_pair_1_10_is_less else 0;
+      slice1winner1_of_pair_1_12 <= 0 when slice1winner1_of_pair_1_12_is_less else slice1window_sum_1_12;
+      slice1winner1_of_pair_1_13 <= slice1window_sum_1_13 when slice1winner1_of_pair_1_12_is_less else 0;
+      slice1winner1_of_pair_1_14 <= 0 when slice1winner1_of_pair_1_14_is_less else slice1window_sum_1_14;
+      slice1winner1_of_pair_1_15 <= slice1window_sum_1_15 when slice1winner1_of_pair_1_14_is_less else 0;
+      slice1winner1_of_pair_1_16 <= 0 when slice1winner1_of_pair_1_16_is_less else slice1window_sum_1_16;
+      slice1winner1_of_pair_1_17 <= slice1window_sum_1_17 when slice1winner1_of_pair_1_16_is_less else 0;
+      slice1winner1_of_pair_1_18 <= 0 when slice1winner1_of_pair_1_18_is_less else slice1window_sum_1_18;
+      slice1winner1_of_pair_1_19 <= slice1window_sum_1_19 when slice1winner1_of_pair_1_18_is_less else 0;
+      slice1winner1_of_pair_1_20 <= 0 when slice1winner1_of_pair_1_20_is_less else slice1window_sum_1_20;
+      slice1winner1_of_pair_1_21 <= slice1window_sum_1_21 when slice1winner1_of_pair_1_20_is_less else 0;
+      slice1winner1_of_pair_1_22 <= 0 when slice1winner1_of_pair_1_22_is_less else slice1window_sum_1_22;
+      slice1winner1_of_pair_1_23 <= slice1window_sum_1_23 when slice1winner1_of_pair_1_22_is_less else 0;
+      slice1winner1_of_pair_1_24 <= slice1window_sum_1_24;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
+      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
+      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
+      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
+      slice1winner1_pair_index_0_8 <= 17 when slice1winner1_of_pair_0_16_is_less else 16;
+      slice1winner1_pair_index_0_9 <= 19 when slice1winner1_of_pair_0_18_is_less else 18;
+      slice1winner1_pair_index_0_10 <= 21 when slice1winner1_of_pair_0_20_is_less else 20;
+      slice1winner1_pair_index_0_11 <= 23 when slice1winner1_of_pair_0_22_is_less else 22;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_pair_index_1_1 <= 3 when slice1winner1_of_pair_1_2_is_less else 2;
+      slice1winner1_pair_index_1_2 <= 5 when slice1winner1_of_pair_1_4_is_less else 4;
+      slice1winner1_pair_index_1_3 <= 7 when slice1winner1_of_pair_1_6_is_less else 6;
+      slice1winner1_pair_index_1_4 <= 9 when slice1winner1_of_pair_1_8_is_less else 8;
+      slice1winner1_pair_index_1_5 <= 11 when slice1winner1_of_pair_1_10_is_less else 10;
+      slice1winner1_pair_index_1_6 <= 13 when slice1winner1_of_pair_1_12_is_less else 12;
+      slice1winner1_pair_index_1_7 <= 15 when slice1winner1_of_pair_1_14_is_less else 14;
+      slice1winner1_pair_index_1_8 <= 17 when slice1winner1_of_pair_1_16_is_less else 16;
+      slice1winner1_pair_index_1_9 <= 19 when slice1winner1_of_pair_1_18_is_less else 18;
+      slice1winner1_pair_index_1_10 <= 21 when slice1winner1_of_pair_1_20_is_less else 20;
+      slice1winner1_pair_index_1_11 <= 23 when slice1winner1_of_pair_1_22_is_less else 22;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
+      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
+      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
+      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
+      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_of_four_0_16 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_16;
+      slice1winner1_of_four_0_17 <= 0 when slice1winner1_of_four_0_16_is_less else slice1winner1_of_pair_0_17;
+      slice1winner1_of_four_0_18 <= slice1winner1_of_pair_0_18 when slice1winner1_of_four_0_16_is_less else 0;
+      slice1winner1_of_four_0_19 <= slice1winner1_of_pair_0_19 when slice1winner1_of_four_0_16_is_less else 0;
+      slice1winner1_of_four_0_20 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_20;
+      slice1winner1_of_four_0_21 <= 0 when slice1winner1_of_four_0_20_is_less else slice1winner1_of_pair_0_21;
+      slice1winner1_of_four_0_22 <= slice1winner1_of_pair_0_22 when slice1winner1_of_four_0_20_is_less else 0;
+      slice1winner1_of_four_0_23 <= slice1winner1_of_pair_0_23 when slice1winner1_of_four_0_20_is_less else 0;
+      slice1winner1_of_four_0_24 <= slice1winner1_of_pair_0_24;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_1_3 <= slice1winner1_of_pair_1_3 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_1_4 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_4;
+      slice1winner1_of_four_1_5 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_5;
+      slice1winner1_of_four_1_6 <= slice1winner1_of_pair_1_6 when slice1winner1_of_four_1_4_is_less else 0;
+      slice1winner1_of_four_1_7 <= slice1winner1_of_pair_1_7 when slice1winner1_of_four_1_4_is_less else 0;
+      slice1winner1_of_four_1_8 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_8;
+      slice1winner1_of_four_1_9 <= 0 when slice1winner1_of_four_1_8_is_less else slice1winner1_of_pair_1_9;
+      slice1winner1_of_four_1_10 <= slice1winner1_of_pair_1_10 when slice1winner1_of_four_1_8_is_less else 0;
+      slice1winner1_of_four_1_11 <= slice1winner1_of_pair_1_11 when slice1winner1_of_four_1_8_is_less else 0;
+      slice1winner1_of_four_1_12 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_12;
+      slice1winner1_of_four_1_13 <= 0 when slice1winner1_of_four_1_12_is_less else slice1winner1_of_pair_1_13;
+      slice1winner1_of_four_1_14 <= slice1winner1_of_pair_1_14 when slice1winner1_of_four_1_12_is_less else 0;
+      slice1winner1_of_four_1_15 <= slice1winner1_of_pair_1_15 when slice1winner1_of_four_1_12_is_less else 0;
+      slice1winner1_of_four_1_16 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_16;
+      slice1winner1_of_four_1_17 <= 0 when slice1winner1_of_four_1_16_is_less else slice1winner1_of_pair_1_17;
+      slice1winner1_of_four_1_18 <= slice1winner1_of_pair_1_18 when slice1winner1_of_four_1_16_is_less else 0;
+      slice1winner1_of_four_1_19 <= slice1winner1_of_pair_1_19 when slice1winner1_of_four_1_16_is_less else 0;
+      slice1winner1_of_four_1_20 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_20;
+      slice1winner1_of_four_1_21 <= 0 when slice1winner1_of_four_1_20_is_less else slice1winner1_of_pair_1_21;
+      slice1winner1_of_four_1_22 <= slice1winner1_of_pair_1_22 when slice1winner1_of_four_1_20_is_less else 0;
+      slice1winner1_of_four_1_23 <= slice1winner1_of_pair_1_23 when slice1winner1_of_four_1_20_is_less else 0;
+      slice1winner1_of_four_1_24 <= slice1winner1_of_pair_1_24;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
+        slice1winner1_pair_index_0_4;
+      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
+        slice1winner1_pair_index_0_6;
+      slice1winner1_four_index_0_4 <= slice1winner1_pair_index_0_9 when slice1winner1_of_four_0_16_is_less else
+        slice1winner1_pair_index_0_8;
+      slice1winner1_four_index_0_5 <= slice1winner1_pair_index_0_11 when slice1winner1_of_four_0_20_is_less else
+        slice1winner1_pair_index_0_10;
+      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_1_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_four_index_1_1 <= slice1winner1_pair_index_1_3 when slice1winner1_of_four_1_4_is_less else
+        slice1winner1_pair_index_1_2;
+      slice1winner1_four_index_1_2 <= slice1winner1_pair_index_1_5 when slice1winner1_of_four_1_8_is_less else
+        slice1winner1_pair_index_1_4;
+      slice1winner1_four_index_1_3 <= slice1winner1_pair_index_1_7 when slice1winner1_of_four_1_12_is_less else
+        slice1winner1_pair_index_1_6;
+      slice1winner1_four_index_1_4 <= slice1winner1_pair_index_1_9 when slice1winner1_of_four_1_16_is_less else
+        slice1winner1_pair_index_1_8;
+      slice1winner1_four_index_1_5 <= slice1winner1_pair_index_1_11 when slice1winner1_of_four_1_20_is_less else
+        slice1winner1_pair_index_1_10;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 12))));
+      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_11, 12)))) or (to_unsigned(slice1winner1_of_four_0_9, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_8, 12))));
+      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_15, 12)))) or (to_unsigned(slice1winner1_of_four_0_13, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_12, 12))));
+      slice1winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_18, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_19, 12)))) or (to_unsigned(slice1winner1_of_four_0_17, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_16, 12))));
+      slice1winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_22, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_23, 12)))) or (to_unsigned(slice1winner1_of_four_0_21, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_20, 12))));
+      slice1winner1_best_cost_0_6 <= slice1winner1_of_four_0_24;
+      slice1winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_2, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_3, 12)))) or (to_unsigned(slice1winner1_of_four_1_1, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_0, 12))));
+      slice1winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_6, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_7, 12)))) or (to_unsigned(slice1winner1_of_four_1_5, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_4, 12))));
+      slice1winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_10, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_11, 12)))) or (to_unsigned(slice1winner1_of_four_1_9, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_8, 12))));
+      slice1winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_14, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_15, 12)))) or (to_unsigned(slice1winner1_of_four_1_13, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_12, 12))));
+      slice1winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_18, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_19, 12)))) or (to_unsigned(slice1winner1_of_four_1_17, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_16, 12))));
+      slice1winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_22, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_23, 12)))) or (to_unsigned(slice1winner1_of_four_1_21, 12)))) or
+        (to_unsigned(slice1winner1_of_four_1_20, 12))));
+      slice1winner1_best_cost_1_6 <= slice1winner1_of_four_1_24;
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
+      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
+      slice1winner1_best_index_0_4 <= slice1winner1_four_index_0_4;
+      slice1winner1_best_index_0_5 <= slice1winner1_four_index_0_5;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_index_1_1 <= slice1winner1_four_index_1_1;
+      slice1winner1_best_index_1_2 <= slice1winner1_four_index_1_2;
+      slice1winner1_best_index_1_3 <= slice1winner1_four_index_1_3;
+      slice1winner1_best_index_1_4 <= slice1winner1_four_index_1_4;
+      slice1winner1_best_index_1_5 <= slice1winner1_four_index_1_5;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2_is_less := slice1winner1_best_cost_0_5 < slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3_is_less := slice1winner1_best_cost_0_7 < slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4_is_less := slice1winner1_best_cost_0_9 < slice1winner1_best_cost_0_8;
-      slice1winner2_best_cost_0_5_is_less := slice1winner1_best_cost_0_11 < slice1winner1_best_cost_0_10;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_1_1_is_less := slice1winner1_best_cost_1_3 < slice1winner1_best_cost_1_2;
-      slice1winner2_best_cost_1_2_is_less := slice1winner1_best_cost_1_5 < slice1winner1_best_cost_1_4;
-      slice1winner2_best_cost_1_3_is_less := slice1winner1_best_cost_1_7 < slice1winner1_best_cost_1_6;
-      slice1winner2_best_cost_1_4_is_less := slice1winner1_best_cost_1_9 < slice1winner1_best_cost_1_8;
-      slice1winner2_best_cost_1_5_is_less := slice1winner1_best_cost_1_11 < slice1winner1_best_cost_1_10;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_cost_0_8;
-      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_cost_0_10;
-      slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
-        slice1winner1_best_cost_1_2;
-      slice1winner2_best_cost_1_2 <= slice1winner1_best_cost_1_5 when slice1winner2_best_cost_1_2_is_less else
-        slice1winner1_best_cost_1_4;
-      slice1winner2_best_cost_1_3 <= slice1winner1_best_cost_1_7 when slice1winner2_best_cost_1_3_is_less else
-        slice1winner1_best_cost_1_6;
-      slice1winner2_best_cost_1_4 <= slice1winner1_best_cost_1_9 when slice1winner2_best_cost_1_4_is_less else
-        slice1winner1_best_cost_1_8;
-      slice1winner2_best_cost_1_5 <= slice1winner1_best_cost_1_11 when slice1winner2_best_cost_1_5_is_less else
-        slice1winner1_best_cost_1_10;
-      slice1winner2_best_cost_1_6 <= slice1winner1_best_cost_1_12;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_of_pair_0_4_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
+      slice1winner2_of_pair_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_of_pair_1_2_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
+      slice1winner2_of_pair_1_4_is_less := (slice1winner1_best_cost_1_5 - slice1winner1_best_cost_1_4) < 0;
+      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 12)) or
+        (to_unsigned(slice1winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 12)) or
+        (to_unsigned(slice1winner2_of_pair_0_1, 12))))) < 0;
+      slice1winner2_of_four_0_4_is_less := (slice1winner2_of_pair_0_6 -
+        to_integer(((to_unsigned(slice1winner2_of_pair_0_4, 12)) or (to_unsigned(slice1winner2_of_pair_0_5, 12))))) < 0;
+      slice1winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_1_2, 12)) or
+        (to_unsigned(slice1winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice1winner2_of_pair_1_0, 12)) or
+        (to_unsigned(slice1winner2_of_pair_1_1, 12))))) < 0;
+      slice1winner2_of_four_1_4_is_less := (slice1winner2_of_pair_1_6 -
+        to_integer(((to_unsigned(slice1winner2_of_pair_1_4, 12)) or (to_unsigned(slice1winner2_of_pair_1_5, 12))))) < 0;
+      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
+      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
+      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
+      slice1winner2_of_pair_0_4 <= 0 when slice1winner2_of_pair_0_4_is_less else slice1winner1_best_cost_0_4;
+      slice1winner2_of_pair_0_5 <= slice1winner1_best_cost_0_5 when slice1winner2_of_pair_0_4_is_less else 0;
+      slice1winner2_of_pair_0_6 <= slice1winner1_best_cost_0_6;
+      slice1winner2_of_pair_1_0 <= 0 when slice1winner2_of_pair_1_0_is_less else slice1winner1_best_cost_1_0;
+      slice1winner2_of_pair_1_1 <= slice1winner1_best_cost_1_1 when slice1winner2_of_pair_1_0_is_less else 0;
+      slice1winner2_of_pair_1_2 <= 0 when slice1winner2_of_pair_1_2_is_less else slice1winner1_best_cost_1_2;
+      slice1winner2_of_pair_1_3 <= slice1winner1_best_cost_1_3 when slice1winner2_of_pair_1_2_is_less else 0;
+      slice1winner2_of_pair_1_4 <= 0 when slice1winner2_of_pair_1_4_is_less else slice1winner1_best_cost_1_4;
+      slice1winner2_of_pair_1_5 <= slice1winner1_best_cost_1_5 when slice1winner2_of_pair_1_4_is_less else 0;
+      slice1winner2_of_pair_1_6 <= slice1winner1_best_cost_1_6;
+      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
+        slice1winner1_best_index_0_0;
+      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
+      slice1winner2_pair_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_of_pair_0_4_is_less else
         slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_index_0_8;
-      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_index_0_10;
-      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
+      slice1winner2_pair_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_of_pair_1_0_is_less else
+        slice1winner1_best_index_1_0;
+      slice1winner2_pair_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_of_pair_1_2_is_less else
         slice1winner1_best_index_1_2;
-      slice1winner2_best_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_best_cost_1_2_is_less else
+      slice1winner2_pair_index_1_2 <= slice1winner1_best_index_1_5 when slice1winner2_of_pair_1_4_is_less else
         slice1winner1_best_index_1_4;
-      slice1winner2_best_index_1_3 <= slice1winner1_best_index_1_7 when slice1winner2_best_cost_1_3_is_less else
-        slice1winner1_best_index_1_6;
-      slice1winner2_best_index_1_4 <= slice1winner1_best_index_1_9 when slice1winner2_best_cost_1_4_is_less else
-        slice1winner1_best_index_1_8;
-      slice1winner2_best_index_1_5 <= slice1winner1_best_index_1_11 when slice1winner2_best_cost_1_5_is_less else
-        slice1winner1_best_index_1_10;
+      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
+      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
+      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_of_four_0_4 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_4;
+      slice1winner2_of_four_0_5 <= 0 when slice1winner2_of_four_0_4_is_less else slice1winner2_of_pair_0_5;
+      slice1winner2_of_four_0_6 <= slice1winner2_of_pair_0_6 when slice1winner2_of_four_0_4_is_less else 0;
+      slice1winner2_of_four_1_0 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_0;
+      slice1winner2_of_four_1_1 <= 0 when slice1winner2_of_four_1_0_is_less else slice1winner2_of_pair_1_1;
+      slice1winner2_of_four_1_2 <= slice1winner2_of_pair_1_2 when slice1winner2_of_four_1_0_is_less else 0;
+      slice1winner2_of_four_1_3 <= slice1winner2_of_pair_1_3 when slice1winner2_of_four_1_0_is_less else 0;
+      slice1winner2_of_four_1_4 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_4;
+      slice1winner2_of_four_1_5 <= 0 when slice1winner2_of_four_1_4_is_less else slice1winner2_of_pair_1_5;
+      slice1winner2_of_four_1_6 <= slice1winner2_of_pair_1_6 when slice1winner2_of_four_1_4_is_less else 0;
+      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
+        slice1winner2_pair_index_0_0;
+      slice1winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_0_4_is_less else
+        slice1winner2_pair_index_0_2;
+      slice1winner2_four_index_1_0 <= slice1winner2_pair_index_1_1 when slice1winner2_of_four_1_0_is_less else
+        slice1winner2_pair_index_1_0;
+      slice1winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice1winner2_of_four_1_4_is_less else
+        slice1winner2_pair_index_1_2;
+      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 12)) or
+        (to_unsigned(slice1winner2_of_four_0_3, 12)))) or (to_unsigned(slice1winner2_of_four_0_1, 12)))) or
+        (to_unsigned(slice1winner2_of_four_0_0, 12))));
+      slice1winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_0_5, 12)) or
+        (to_unsigned(slice1winner2_of_four_0_6, 12)))) or (to_unsigned(slice1winner2_of_four_0_4, 12))));
+      slice1winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_1_2, 12)) or
+        (to_unsigned(slice1winner2_of_four_1_3, 12)))) or (to_unsigned(slice1winner2_of_four_1_1, 12)))) or
+        (to_unsigned(slice1winner2_of_four_1_0, 12))));
+      slice1winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice1winner2_of_four_1_5, 12)) or
+        (to_unsigned(slice1winner2_of_four_1_6, 12)))) or (to_unsigned(slice1winner2_of_four_1_4, 12))));
+      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
+      slice1winner2_best_index_0_1 <= slice1winner2_four_index_0_1;
+      slice1winner2_best_index_1_0 <= slice1winner2_four_index_1_0;
+      slice1winner2_best_index_1_1 <= slice1winner2_four_index_1_1;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1_is_less := slice1winner2_best_cost_0_3 < slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2_is_less := slice1winner2_best_cost_0_5 < slice1winner2_best_cost_0_4;
-      slice1winner3_best_cost_1_0_is_less := slice1winner2_best_cost_1_1 < slice1winner2_best_cost_1_0;
-      slice1winner3_best_cost_1_1_is_less := slice1winner2_best_cost_1_3 < slice1winner2_best_cost_1_2;
-      slice1winner3_best_cost_1_2_is_less := slice1winner2_best_cost_1_5 < slice1winner2_best_cost_1_4;
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_cost_0_4;
-      slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_cost_1_0;
-      slice1winner3_best_cost_1_1 <= slice1winner2_best_cost_1_3 when slice1winner3_best_cost_1_1_is_less else
-        slice1winner2_best_cost_1_2;
-      slice1winner3_best_cost_1_2 <= slice1winner2_best_cost_1_5 when slice1winner3_best_cost_1_2_is_less else
-        slice1winner2_best_cost_1_4;
-      slice1winner3_best_cost_1_3 <= slice1winner2_best_cost_1_6;
       slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_index_0_4;
       slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
         slice1winner2_best_index_1_0;
-      slice1winner3_best_index_1_1 <= slice1winner2_best_index_1_3 when slice1winner3_best_cost_1_1_is_less else
-        slice1winner2_best_index_1_2;
-      slice1winner3_best_index_1_2 <= slice1winner2_best_index_1_5 when slice1winner3_best_cost_1_2_is_less else
-        slice1winner2_best_index_1_4;
-      -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := slice1winner3_best_cost_0_1 < slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1_is_less := slice1winner3_best_cost_0_3 < slice1winner3_best_cost_0_2;
-      slice1winner4_best_cost_1_0_is_less := slice1winner3_best_cost_1_1 < slice1winner3_best_cost_1_0;
-      slice1winner4_best_cost_1_1_is_less := slice1winner3_best_cost_1_3 < slice1winner3_best_cost_1_2;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_cost_0_2;
-      slice1winner4_best_cost_1_0 <= slice1winner3_best_cost_1_1 when slice1winner4_best_cost_1_0_is_less else
-        slice1winner3_best_cost_1_0;
-      slice1winner4_best_cost_1_1 <= slice1winner3_best_cost_1_3 when slice1winner4_best_cost_1_1_is_less else
-        slice1winner3_best_cost_1_2;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_index_0_2;
-      slice1winner4_best_index_1_0 <= slice1winner3_best_index_1_1 when slice1winner4_best_cost_1_0_is_less else
-        slice1winner3_best_index_1_0;
-      slice1winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_1_1_is_less else
-        slice1winner3_best_index_1_2;
-      -- slice1winner5
-      slice1winner5_best_cost_0_0_is_less := slice1winner4_best_cost_0_1 < slice1winner4_best_cost_0_0;
-      slice1winner5_best_cost_1_0_is_less := slice1winner4_best_cost_1_1 < slice1winner4_best_cost_1_0;
-      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_cost_0_0;
-      slice1winner5_best_cost_1_0 <= slice1winner4_best_cost_1_1 when slice1winner5_best_cost_1_0_is_less else
-        slice1winner4_best_cost_1_0;
-      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
-      slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_1 when slice1winner5_best_cost_1_0_is_less else
-        slice1winner4_best_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner5_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner5_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner5_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner3_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
+        (((slice1winner3_best_index_0_0 / 2) + 25) * 2) + (slice1winner3_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner5_best_index_1_0 / 2) + 25) * 2) + (slice1winner5_best_index_1_0 mod 2);
+        (((slice1winner3_best_index_1_0 / 2) + 25) * 2) + (slice1winner3_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -3486,256 +4975,580 @@ begin
       slice2shift_search_out_2 <= slice2shift_search_2_0;
       slice2shift_search_out_3 <= slice2shift_search_3_0;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
-      slice2cost_pair_0_2_choice := slice2cost_reverse_0_2 when slice2cost_difference_2_2 < 0 else
-        positive_part(slice2cost_difference_2_2);
-      slice2cost_pair_0_3_choice := slice2cost_reverse_0_3 when slice2cost_difference_2_3 < 0 else
-        positive_part(slice2cost_difference_2_3);
-      slice2cost_pair_0_4_choice := slice2cost_reverse_0_4 when slice2cost_difference_2_4 < 0 else
-        positive_part(slice2cost_difference_2_4);
-      slice2cost_pair_0_5_choice := slice2cost_reverse_0_5 when slice2cost_difference_2_5 < 0 else
-        positive_part(slice2cost_difference_2_5);
-      slice2cost_pair_0_6_choice := slice2cost_reverse_0_6 when slice2cost_difference_2_6 < 0 else
-        positive_part(slice2cost_difference_2_6);
-      slice2cost_pair_0_7_choice := slice2cost_reverse_0_7 when slice2cost_difference_2_7 < 0 else
-        positive_part(slice2cost_difference_2_7);
-      slice2cost_pair_0_8_choice := slice2cost_reverse_0_8 when slice2cost_difference_2_8 < 0 else
-        positive_part(slice2cost_difference_2_8);
-      slice2cost_pair_0_9_choice := slice2cost_reverse_0_9 when slice2cost_difference_2_9 < 0 else
-        positive_part(slice2cost_difference_2_9);
-      slice2cost_pair_0_10_choice := slice2cost_reverse_0_10 when slice2cost_difference_2_10 < 0 else
-        positive_part(slice2cost_difference_2_10);
-      slice2cost_pair_0_11_choice := slice2cost_reverse_0_11 when slice2cost_difference_2_11 < 0 else
-        positive_part(slice2cost_difference_2_11);
-      slice2cost_pair_0_12_choice := slice2cost_reverse_0_12 when slice2cost_difference_2_12 < 0 else
-        positive_part(slice2cost_difference_2_12);
-      slice2cost_pair_0_13_choice := slice2cost_reverse_0_13 when slice2cost_difference_2_13 < 0 else
-        positive_part(slice2cost_difference_2_13);
-      slice2cost_pair_0_14_choice := slice2cost_reverse_0_14 when slice2cost_difference_2_14 < 0 else
-        positive_part(slice2cost_difference_2_14);
-      slice2cost_pair_0_15_choice := slice2cost_reverse_0_15 when slice2cost_difference_2_15 < 0 else
-        positive_part(slice2cost_difference_2_15);
-      slice2cost_pair_0_16_choice := slice2cost_reverse_0_16 when slice2cost_difference_2_16 < 0 else
-        positive_part(slice2cost_difference_2_16);
-      slice2cost_pair_0_17_choice := slice2cost_reverse_0_17 when slice2cost_difference_2_17 < 0 else
-        positive_part(slice2cost_difference_2_17);
-      slice2cost_pair_0_18_choice := slice2cost_reverse_0_18 when slice2cost_difference_2_18 < 0 else
-        positive_part(slice2cost_difference_2_18);
-      slice2cost_pair_0_19_choice := slice2cost_reverse_0_19 when slice2cost_difference_2_19 < 0 else
-        positive_part(slice2cost_difference_2_19);
-      slice2cost_pair_0_20_choice := slice2cost_reverse_0_20 when slice2cost_difference_2_20 < 0 else
-        positive_part(slice2cost_difference_2_20);
-      slice2cost_pair_0_21_choice := slice2cost_reverse_0_21 when slice2cost_difference_2_21 < 0 else
-        positive_part(slice2cost_difference_2_21);
-      slice2cost_pair_0_22_choice := slice2cost_reverse_0_22 when slice2cost_difference_2_22 < 0 else
-        positive_part(slice2cost_difference_2_22);
-      slice2cost_pair_0_23_choice := slice2cost_reverse_0_23 when slice2cost_difference_2_23 < 0 else
-        positive_part(slice2cost_difference_2_23);
-      slice2cost_pair_0_24_choice := slice2cost_reverse_0_24 when slice2cost_difference_2_24 < 0 else
-        positive_part(slice2cost_difference_2_24);
-      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
-      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
-      slice2cost_difference_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
-      slice2cost_difference_0_3 <= slice2shift_search_0_3 - slice2shift_reference_0;
-      slice2cost_difference_0_4 <= slice2shift_search_0_4 - slice2shift_reference_0;
-      slice2cost_difference_0_5 <= slice2shift_search_0_5 - slice2shift_reference_0;
-      slice2cost_difference_0_6 <= slice2shift_search_0_6 - slice2shift_reference_0;
-      slice2cost_difference_0_7 <= slice2shift_search_0_7 - slice2shift_reference_0;
-      slice2cost_difference_0_8 <= slice2shift_search_0_8 - slice2shift_reference_0;
-      slice2cost_difference_0_9 <= slice2shift_search_0_9 - slice2shift_reference_0;
-      slice2cost_difference_0_10 <= slice2shift_search_0_10 - slice2shift_reference_0;
-      slice2cost_difference_0_11 <= slice2shift_search_0_11 - slice2shift_reference_0;
-      slice2cost_difference_0_12 <= slice2shift_search_0_12 - slice2shift_reference_0;
-      slice2cost_difference_0_13 <= slice2shift_search_0_13 - slice2shift_reference_0;
-      slice2cost_difference_0_14 <= slice2shift_search_0_14 - slice2shift_reference_0;
-      slice2cost_difference_0_15 <= slice2shift_search_0_15 - slice2shift_reference_0;
-      slice2cost_difference_0_16 <= slice2shift_search_0_16 - slice2shift_reference_0;
-      slice2cost_difference_0_17 <= slice2shift_search_0_17 - slice2shift_reference_0;
-      slice2cost_difference_0_18 <= slice2shift_search_0_18 - slice2shift_reference_0;
-      slice2cost_difference_0_19 <= slice2shift_search_0_19 - slice2shift_reference_0;
-      slice2cost_difference_0_20 <= slice2shift_search_0_20 - slice2shift_reference_0;
-      slice2cost_difference_0_21 <= slice2shift_search_0_21 - slice2shift_reference_0;
-      slice2cost_difference_0_22 <= slice2shift_search_0_22 - slice2shift_reference_0;
-      slice2cost_difference_0_23 <= slice2shift_search_0_23 - slice2shift_reference_0;
-      slice2cost_difference_0_24 <= slice2shift_search_0_24 - slice2shift_reference_0;
-      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
-      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
-      slice2cost_difference_1_2 <= slice2shift_search_1_2 - slice2shift_reference_1;
-      slice2cost_difference_1_3 <= slice2shift_search_1_3 - slice2shift_reference_1;
-      slice2cost_difference_1_4 <= slice2shift_search_1_4 - slice2shift_reference_1;
-      slice2cost_difference_1_5 <= slice2shift_search_1_5 - slice2shift_reference_1;
-      slice2cost_difference_1_6 <= slice2shift_search_1_6 - slice2shift_reference_1;
-      slice2cost_difference_1_7 <= slice2shift_search_1_7 - slice2shift_reference_1;
-      slice2cost_difference_1_8 <= slice2shift_search_1_8 - slice2shift_reference_1;
-      slice2cost_difference_1_9 <= slice2shift_search_1_9 - slice2shift_reference_1;
-      slice2cost_difference_1_10 <= slice2shift_search_1_10 - slice2shift_reference_1;
-      slice2cost_difference_1_11 <= slice2shift_search_1_11 - slice2shift_reference_1;
-      slice2cost_difference_1_12 <= slice2shift_search_1_12 - slice2shift_reference_1;
-      slice2cost_difference_1_13 <= slice2shift_search_1_13 - slice2shift_reference_1;
-      slice2cost_difference_1_14 <= slice2shift_search_1_14 - slice2shift_reference_1;
-      slice2cost_difference_1_15 <= slice2shift_search_1_15 - slice2shift_reference_1;
-      slice2cost_difference_1_16 <= slice2shift_search_1_16 - slice2shift_reference_1;
-      slice2cost_difference_1_17 <= slice2shift_search_1_17 - slice2shift_reference_1;
-      slice2cost_difference_1_18 <= slice2shift_search_1_18 - slice2shift_reference_1;
-      slice2cost_difference_1_19 <= slice2shift_search_1_19 - slice2shift_reference_1;
-      slice2cost_difference_1_20 <= slice2shift_search_1_20 - slice2shift_reference_1;
-      slice2cost_difference_1_21 <= slice2shift_search_1_21 - slice2shift_reference_1;
-      slice2cost_difference_1_22 <= slice2shift_search_1_22 - slice2shift_reference_1;
-      slice2cost_difference_1_23 <= slice2shift_search_1_23 - slice2shift_reference_1;
-      slice2cost_difference_1_24 <= slice2shift_search_1_24 - slice2shift_reference_1;
-      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
-      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_difference_2_2 <= slice2shift_search_2_2 - slice2shift_reference_2;
-      slice2cost_difference_2_3 <= slice2shift_search_2_3 - slice2shift_reference_2;
-      slice2cost_difference_2_4 <= slice2shift_search_2_4 - slice2shift_reference_2;
-      slice2cost_difference_2_5 <= slice2shift_search_2_5 - slice2shift_reference_2;
-      slice2cost_difference_2_6 <= slice2shift_search_2_6 - slice2shift_reference_2;
-      slice2cost_difference_2_7 <= slice2shift_search_2_7 - slice2shift_reference_2;
-      slice2cost_difference_2_8 <= slice2shift_search_2_8 - slice2shift_reference_2;
-      slice2cost_difference_2_9 <= slice2shift_search_2_9 - slice2shift_reference_2;
-      slice2cost_difference_2_10 <= slice2shift_search_2_10 - slice2shift_reference_2;
-      slice2cost_difference_2_11 <= slice2shift_search_2_11 - slice2shift_reference_2;
-      slice2cost_difference_2_12 <= slice2shift_search_2_12 - slice2shift_reference_2;
-      slice2cost_difference_2_13 <= slice2shift_search_2_13 - slice2shift_reference_2;
-      slice2cost_difference_2_14 <= slice2shift_search_2_14 - slice2shift_reference_2;
-      slice2cost_difference_2_15 <= slice2shift_search_2_15 - slice2shift_reference_2;
-      slice2cost_difference_2_16 <= slice2shift_search_2_16 - slice2shift_reference_2;
-      slice2cost_difference_2_17 <= slice2shift_search_2_17 - slice2shift_reference_2;
-      slice2cost_difference_2_18 <= slice2shift_search_2_18 - slice2shift_reference_2;
-      slice2cost_difference_2_19 <= slice2shift_search_2_19 - slice2shift_reference_2;
-      slice2cost_difference_2_20 <= slice2shift_search_2_20 - slice2shift_reference_2;
-      slice2cost_difference_2_21 <= slice2shift_search_2_21 - slice2shift_reference_2;
-      slice2cost_difference_2_22 <= slice2shift_search_2_22 - slice2shift_reference_2;
-      slice2cost_difference_2_23 <= slice2shift_search_2_23 - slice2shift_reference_2;
-      slice2cost_difference_2_24 <= slice2shift_search_2_24 - slice2shift_reference_2;
-      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
-      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_difference_3_2 <= slice2shift_search_3_2 - slice2shift_reference_3;
-      slice2cost_difference_3_3 <= slice2shift_search_3_3 - slice2shift_reference_3;
-      slice2cost_difference_3_4 <= slice2shift_search_3_4 - slice2shift_reference_3;
-      slice2cost_difference_3_5 <= slice2shift_search_3_5 - slice2shift_reference_3;
-      slice2cost_difference_3_6 <= slice2shift_search_3_6 - slice2shift_reference_3;
-      slice2cost_difference_3_7 <= slice2shift_search_3_7 - slice2shift_reference_3;
-      slice2cost_difference_3_8 <= slice2shift_search_3_8 - slice2shift_reference_3;
-      slice2cost_difference_3_9 <= slice2shift_search_3_9 - slice2shift_reference_3;
-      slice2cost_difference_3_10 <= slice2shift_search_3_10 - slice2shift_reference_3;
-      slice2cost_difference_3_11 <= slice2shift_search_3_11 - slice2shift_reference_3;
-      slice2cost_difference_3_12 <= slice2shift_search_3_12 - slice2shift_reference_3;
-      slice2cost_difference_3_13 <= slice2shift_search_3_13 - slice2shift_reference_3;
-      slice2cost_difference_3_14 <= slice2shift_search_3_14 - slice2shift_reference_3;
-      slice2cost_difference_3_15 <= slice2shift_search_3_15 - slice2shift_reference_3;
-      slice2cost_difference_3_16 <= slice2shift_search_3_16 - slice2shift_reference_3;
-      slice2cost_difference_3_17 <= slice2shift_search_3_17 - slice2shift_reference_3;
-      slice2cost_difference_3_18 <= slice2shift_search_3_18 - slice2shift_reference_3;
-      slice2cost_difference_3_19 <= slice2shift_search_3_19 - slice2shift_reference_3;
-      slice2cost_difference_3_20 <= slice2shift_search_3_20 - slice2shift_reference_3;
-      slice2cost_difference_3_21 <= slice2shift_search_3_21 - slice2shift_reference_3;
-      slice2cost_difference_3_22 <= slice2shift_search_3_22 - slice2shift_reference_3;
-      slice2cost_difference_3_23 <= slice2shift_search_3_23 - slice2shift_reference_3;
-      slice2cost_difference_3_24 <= slice2shift_search_3_24 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_reverse_0_2 <= (slice2shift_reference_2 - slice2shift_search_2_2) mod 256;
-      slice2cost_reverse_0_3 <= (slice2shift_reference_2 - slice2shift_search_2_3) mod 256;
-      slice2cost_reverse_0_4 <= (slice2shift_reference_2 - slice2shift_search_2_4) mod 256;
-      slice2cost_reverse_0_5 <= (slice2shift_reference_2 - slice2shift_search_2_5) mod 256;
-      slice2cost_reverse_0_6 <= (slice2shift_reference_2 - slice2shift_search_2_6) mod 256;
-      slice2cost_reverse_0_7 <= (slice2shift_reference_2 - slice2shift_search_2_7) mod 256;
-      slice2cost_reverse_0_8 <= (slice2shift_reference_2 - slice2shift_search_2_8) mod 256;
-      slice2cost_reverse_0_9 <= (slice2shift_reference_2 - slice2shift_search_2_9) mod 256;
-      slice2cost_reverse_0_10 <= (slice2shift_reference_2 - slice2shift_search_2_10) mod 256;
-      slice2cost_reverse_0_11 <= (slice2shift_reference_2 - slice2shift_search_2_11) mod 256;
-      slice2cost_reverse_0_12 <= (slice2shift_reference_2 - slice2shift_search_2_12) mod 256;
-      slice2cost_reverse_0_13 <= (slice2shift_reference_2 - slice2shift_search_2_13) mod 256;
-      slice2cost_reverse_0_14 <= (slice2shift_reference_2 - slice2shift_search_2_14) mod 256;
-      slice2cost_reverse_0_15 <= (slice2shift_reference_2 - slice2shift_search_2_15) mod 256;
-      slice2cost_reverse_0_16 <= (slice2shift_reference_2 - slice2shift_search_2_16) mod 256;
-      slice2cost_reverse_0_17 <= (slice2shift_reference_2 - slice2shift_search_2_17) mod 256;
-      slice2cost_reverse_0_18 <= (slice2shift_reference_2 - slice2shift_search_2_18) mod 256;
-      slice2cost_reverse_0_19 <= (slice2shift_reference_2 - slice2shift_search_2_19) mod 256;
-      slice2cost_reverse_0_20 <= (slice2shift_reference_2 - slice2shift_search_2_20) mod 256;
-      slice2cost_reverse_0_21 <= (slice2shift_reference_2 - slice2shift_search_2_21) mod 256;
-      slice2cost_reverse_0_22 <= (slice2shift_reference_2 - slice2shift_search_2_22) mod 256;
-      slice2cost_reverse_0_23 <= (slice2shift_reference_2 - slice2shift_search_2_23) mod 256;
-      slice2cost_reverse_0_24 <= (slice2shift_reference_2 - slice2shift_search_2_24) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_pair_0_2 <= slice2cost_pair_0_2_choice + folded(slice2cost_difference_1_2) +
-        as_number((slice2cost_difference_1_2 < 0));
-      slice2cost_pair_0_3 <= slice2cost_pair_0_3_choice + folded(slice2cost_difference_1_3) +
-        as_number((slice2cost_difference_1_3 < 0));
-      slice2cost_pair_0_4 <= slice2cost_pair_0_4_choice + folded(slice2cost_difference_1_4) +
-        as_number((slice2cost_difference_1_4 < 0));
-      slice2cost_pair_0_5 <= slice2cost_pair_0_5_choice + folded(slice2cost_difference_1_5) +
-        as_number((slice2cost_difference_1_5 < 0));
-      slice2cost_pair_0_6 <= slice2cost_pair_0_6_choice + folded(slice2cost_difference_1_6) +
-        as_number((slice2cost_difference_1_6 < 0));
-      slice2cost_pair_0_7 <= slice2cost_pair_0_7_choice + folded(slice2cost_difference_1_7) +
-        as_number((slice2cost_difference_1_7 < 0));
-      slice2cost_pair_0_8 <= slice2cost_pair_0_8_choice + folded(slice2cost_difference_1_8) +
-        as_number((slice2cost_difference_1_8 < 0));
-      slice2cost_pair_0_9 <= slice2cost_pair_0_9_choice + folded(slice2cost_difference_1_9) +
-        as_number((slice2cost_difference_1_9 < 0));
-      slice2cost_pair_0_10 <= slice2cost_pair_0_10_choice + folded(slice2cost_difference_1_10) +
-        as_number((slice2cost_difference_1_10 < 0));
-      slice2cost_pair_0_11 <= slice2cost_pair_0_11_choice + folded(slice2cost_difference_1_11) +
-        as_number((slice2cost_difference_1_11 < 0));
-      slice2cost_pair_0_12 <= slice2cost_pair_0_12_choice + folded(slice2cost_difference_1_12) +
-        as_number((slice2cost_difference_1_12 < 0));
-      slice2cost_pair_0_13 <= slice2cost_pair_0_13_choice + folded(slice2cost_difference_1_13) +
-        as_number((slice2cost_difference_1_13 < 0));
-      slice2cost_pair_0_14 <= slice2cost_pair_0_14_choice + folded(slice2cost_difference_1_14) +
-        as_number((slice2cost_difference_1_14 < 0));
-      slice2cost_pair_0_15 <= slice2cost_pair_0_15_choice + folded(slice2cost_difference_1_15) +
-        as_number((slice2cost_difference_1_15 < 0));
-      slice2cost_pair_0_16 <= slice2cost_pair_0_16_choice + folded(slice2cost_difference_1_16) +
-        as_number((slice2cost_difference_1_16 < 0));
-      slice2cost_pair_0_17 <= slice2cost_pair_0_17_choice + folded(slice2cost_difference_1_17) +
-        as_number((slice2cost_difference_1_17 < 0));
-      slice2cost_pair_0_18 <= slice2cost_pair_0_18_choice + folded(slice2cost_difference_1_18) +
-        as_number((slice2cost_difference_1_18 < 0));
-      slice2cost_pair_0_19 <= slice2cost_pair_0_19_choice + folded(slice2cost_difference_1_19) +
-        as_number((slice2cost_difference_1_19 < 0));
-      slice2cost_pair_0_20 <= slice2cost_pair_0_20_choice + folded(slice2cost_difference_1_20) +
-        as_number((slice2cost_difference_1_20 < 0));
-      slice2cost_pair_0_21 <= slice2cost_pair_0_21_choice + folded(slice2cost_difference_1_21) +
-        as_number((slice2cost_difference_1_21 < 0));
-      slice2cost_pair_0_22 <= slice2cost_pair_0_22_choice + folded(slice2cost_difference_1_22) +
-        as_number((slice2cost_difference_1_22 < 0));
-      slice2cost_pair_0_23 <= slice2cost_pair_0_23_choice + folded(slice2cost_difference_1_23) +
-        as_number((slice2cost_difference_1_23 < 0));
-      slice2cost_pair_0_24 <= slice2cost_pair_0_24_choice + folded(slice2cost_difference_1_24) +
-        as_number((slice2cost_difference_1_24 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_0_2 <= folded(slice2cost_difference_0_2);
-      slice2cost_single_0_3 <= folded(slice2cost_difference_0_3);
-      slice2cost_single_0_4 <= folded(slice2cost_difference_0_4);
-      slice2cost_single_0_5 <= folded(slice2cost_difference_0_5);
-      slice2cost_single_0_6 <= folded(slice2cost_difference_0_6);
-      slice2cost_single_0_7 <= folded(slice2cost_difference_0_7);
-      slice2cost_single_0_8 <= folded(slice2cost_difference_0_8);
-      slice2cost_single_0_9 <= folded(slice2cost_difference_0_9);
-      slice2cost_single_0_10 <= folded(slice2cost_difference_0_10);
-      slice2cost_single_0_11 <= folded(slice2cost_difference_0_11);
-      slice2cost_single_0_12 <= folded(slice2cost_difference_0_12);
-      slice2cost_single_0_13 <= folded(slice2cost_difference_0_13);
-      slice2cost_single_0_14 <= folded(slice2cost_difference_0_14);
-      slice2cost_single_0_15 <= folded(slice2cost_difference_0_15);
-      slice2cost_single_0_16 <= folded(slice2cost_difference_0_16);
-      slice2cost_single_0_17 <= folded(slice2cost_difference_0_17);
-      slice2cost_single_0_18 <= folded(slice2cost_difference_0_18);
-      slice2cost_single_0_19 <= folded(slice2cost_difference_0_19);
-      slice2cost_single_0_20 <= folded(slice2cost_difference_0_20);
-      slice2cost_single_0_21 <= folded(slice2cost_difference_0_21);
-      slice2cost_single_0_22 <= folded(slice2cost_difference_0_22);
-      slice2cost_single_0_23 <= folded(slice2cost_difference_0_23);
-      slice2cost_single_0_24 <= folded(slice2cost_difference_0_24);
+      slice2cost_difference_0_0_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
+        slice2shift_search_0_0;
+      slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
+        slice2shift_reference_0;
+      slice2cost_difference_0_1_value := ((slice2cost_signs_ready_words_0 / 2) mod 2) = 1;
+      slice2cost_difference_0_1_choice := slice2shift_reference_0 when slice2cost_difference_0_1_value else
+        slice2shift_search_0_1;
+      slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1 when slice2cost_difference_0_1_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_2_value := ((slice2cost_signs_ready_words_0 / 4) mod 2) = 1;
+      slice2cost_difference_0_2_choice := slice2shift_reference_0 when slice2cost_difference_0_2_value else
+        slice2shift_search_0_2;
+      slice2cost_difference_0_2_choice_2 := slice2shift_search_0_2 when slice2cost_difference_0_2_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_3_value := ((slice2cost_signs_ready_words_0 / 8) mod 2) = 1;
+      slice2cost_difference_0_3_choice := slice2shift_reference_0 when slice2cost_difference_0_3_value else
+        slice2shift_search_0_3;
+      slice2cost_difference_0_3_choice_2 := slice2shift_search_0_3 when slice2cost_difference_0_3_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_4_value := ((slice2cost_signs_ready_words_0 / 16) mod 2) = 1;
+      slice2cost_difference_0_4_choice := slice2shift_reference_0 when slice2cost_difference_0_4_value else
+        slice2shift_search_0_4;
+      slice2cost_difference_0_4_choice_2 := slice2shift_search_0_4 when slice2cost_difference_0_4_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_5_value := ((slice2cost_signs_ready_words_0 / 32) mod 2) = 1;
+      slice2cost_difference_0_5_choice := slice2shift_reference_0 when slice2cost_difference_0_5_value else
+        slice2shift_search_0_5;
+      slice2cost_difference_0_5_choice_2 := slice2shift_search_0_5 when slice2cost_difference_0_5_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_6_value := ((slice2cost_signs_ready_words_0 / 64) mod 2) = 1;
+      slice2cost_difference_0_6_choice := slice2shift_reference_0 when slice2cost_difference_0_6_value else
+        slice2shift_search_0_6;
+      slice2cost_difference_0_6_choice_2 := slice2shift_search_0_6 when slice2cost_difference_0_6_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_7_value := ((slice2cost_signs_ready_words_0 / 128) mod 2) = 1;
+      slice2cost_difference_0_7_choice := slice2shift_reference_0 when slice2cost_difference_0_7_value else
+        slice2shift_search_0_7;
+      slice2cost_difference_0_7_choice_2 := slice2shift_search_0_7 when slice2cost_difference_0_7_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_8_value := ((slice2cost_signs_ready_words_0 / 256) mod 2) = 1;
+      slice2cost_difference_0_8_choice := slice2shift_reference_0 when slice2cost_difference_0_8_value else
+        slice2shift_search_0_8;
+      slice2cost_difference_0_8_choice_2 := slice2shift_search_0_8 when slice2cost_difference_0_8_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_9_value := ((slice2cost_signs_ready_words_0 / 512) mod 2) = 1;
+      slice2cost_difference_0_9_choice := slice2shift_reference_0 when slice2cost_difference_0_9_value else
+        slice2shift_search_0_9;
+      slice2cost_difference_0_9_choice_2 := slice2shift_search_0_9 when slice2cost_difference_0_9_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_10_value := ((slice2cost_signs_ready_words_0 / 1024) mod 2) = 1;
+      slice2cost_difference_0_10_choice := slice2shift_reference_0 when slice2cost_difference_0_10_value else
+        slice2shift_search_0_10;
+      slice2cost_difference_0_10_choice_2 := slice2shift_search_0_10 when slice2cost_difference_0_10_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_11_value := ((slice2cost_signs_ready_words_0 / 2048) mod 2) = 1;
+      slice2cost_difference_0_11_choice := slice2shift_reference_0 when slice2cost_difference_0_11_value else
+        slice2shift_search_0_11;
+      slice2cost_difference_0_11_choice_2 := slice2shift_search_0_11 when slice2cost_difference_0_11_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_12_value := ((slice2cost_signs_ready_words_0 / 4096) mod 2) = 1;
+      slice2cost_difference_0_12_choice := slice2shift_reference_0 when slice2cost_difference_0_12_value else
+        slice2shift_search_0_12;
+      slice2cost_difference_0_12_choice_2 := slice2shift_search_0_12 when slice2cost_difference_0_12_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_13_value := ((slice2cost_signs_ready_words_0 / 8192) mod 2) = 1;
+      slice2cost_difference_0_13_choice := slice2shift_reference_0 when slice2cost_difference_0_13_value else
+        slice2shift_search_0_13;
+      slice2cost_difference_0_13_choice_2 := slice2shift_search_0_13 when slice2cost_difference_0_13_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_14_value := ((slice2cost_signs_ready_words_0 / 16384) mod 2) = 1;
+      slice2cost_difference_0_14_choice := slice2shift_reference_0 when slice2cost_difference_0_14_value else
+        slice2shift_search_0_14;
+      slice2cost_difference_0_14_choice_2 := slice2shift_search_0_14 when slice2cost_difference_0_14_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_15_value := ((slice2cost_signs_ready_words_0 / 32768) mod 2) = 1;
+      slice2cost_difference_0_15_choice := slice2shift_reference_0 when slice2cost_difference_0_15_value else
+        slice2shift_search_0_15;
+      slice2cost_difference_0_15_choice_2 := slice2shift_search_0_15 when slice2cost_difference_0_15_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_16_value := ((slice2cost_signs_ready_words_0 / 65536) mod 2) = 1;
+      slice2cost_difference_0_16_choice := slice2shift_reference_0 when slice2cost_difference_0_16_value else
+        slice2shift_search_0_16;
+      slice2cost_difference_0_16_choice_2 := slice2shift_search_0_16 when slice2cost_difference_0_16_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_17_value := ((slice2cost_signs_ready_words_0 / 131072) mod 2) = 1;
+      slice2cost_difference_0_17_choice := slice2shift_reference_0 when slice2cost_difference_0_17_value else
+        slice2shift_search_0_17;
+      slice2cost_difference_0_17_choice_2 := slice2shift_search_0_17 when slice2cost_difference_0_17_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_18_value := ((slice2cost_signs_ready_words_0 / 262144) mod 2) = 1;
+      slice2cost_difference_0_18_choice := slice2shift_reference_0 when slice2cost_difference_0_18_value else
+        slice2shift_search_0_18;
+      slice2cost_difference_0_18_choice_2 := slice2shift_search_0_18 when slice2cost_difference_0_18_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_19_value := ((slice2cost_signs_ready_words_0 / 524288) mod 2) = 1;
+      slice2cost_difference_0_19_choice := slice2shift_reference_0 when slice2cost_difference_0_19_value else
+        slice2shift_search_0_19;
+      slice2cost_difference_0_19_choice_2 := slice2shift_search_0_19 when slice2cost_difference_0_19_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_20_value := ((slice2cost_signs_ready_words_0 / 1048576) mod 2) = 1;
+      slice2cost_difference_0_20_choice := slice2shift_reference_0 when slice2cost_difference_0_20_value else
+        slice2shift_search_0_20;
+      slice2cost_difference_0_20_choice_2 := slice2shift_search_0_20 when slice2cost_difference_0_20_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_21_value := ((slice2cost_signs_ready_words_0 / 2097152) mod 2) = 1;
+      slice2cost_difference_0_21_choice := slice2shift_reference_0 when slice2cost_difference_0_21_value else
+        slice2shift_search_0_21;
+      slice2cost_difference_0_21_choice_2 := slice2shift_search_0_21 when slice2cost_difference_0_21_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_22_value := ((slice2cost_signs_ready_words_0 / 4194304) mod 2) = 1;
+      slice2cost_difference_0_22_choice := slice2shift_reference_0 when slice2cost_difference_0_22_value else
+        slice2shift_search_0_22;
+      slice2cost_difference_0_22_choice_2 := slice2shift_search_0_22 when slice2cost_difference_0_22_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_23_value := ((slice2cost_signs_ready_words_0 / 8388608) mod 2) = 1;
+      slice2cost_difference_0_23_choice := slice2shift_reference_0 when slice2cost_difference_0_23_value else
+        slice2shift_search_0_23;
+      slice2cost_difference_0_23_choice_2 := slice2shift_search_0_23 when slice2cost_difference_0_23_value else
+        slice2shift_reference_0;
+      slice2cost_difference_0_24_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 / 16777216) = 1
+        else slice2shift_search_0_24;
+      slice2cost_difference_0_24_choice_2 := slice2shift_search_0_24 when (slice2cost_signs_ready_words_0 / 16777216) =
+        1 else slice2shift_reference_0;
+      slice2cost_difference_1_0_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
+        slice2shift_search_1_0;
+      slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
+        slice2shift_reference_1;
+      slice2cost_difference_1_1_value := ((slice2cost_signs_ready_words_1 / 2) mod 2) = 1;
+      slice2cost_difference_1_1_choice := slice2shift_reference_1 when slice2cost_difference_1_1_value else
+        slice2shift_search_1_1;
+      slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1 when slice2cost_difference_1_1_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_2_value := ((slice2cost_signs_ready_words_1 / 4) mod 2) = 1;
+      slice2cost_difference_1_2_choice := slice2shift_reference_1 when slice2cost_difference_1_2_value else
+        slice2shift_search_1_2;
+      slice2cost_difference_1_2_choice_2 := slice2shift_search_1_2 when slice2cost_difference_1_2_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_3_value := ((slice2cost_signs_ready_words_1 / 8) mod 2) = 1;
+      slice2cost_difference_1_3_choice := slice2shift_reference_1 when slice2cost_difference_1_3_value else
+        slice2shift_search_1_3;
+      slice2cost_difference_1_3_choice_2 := slice2shift_search_1_3 when slice2cost_difference_1_3_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_4_value := ((slice2cost_signs_ready_words_1 / 16) mod 2) = 1;
+      slice2cost_difference_1_4_choice := slice2shift_reference_1 when slice2cost_difference_1_4_value else
+        slice2shift_search_1_4;
+      slice2cost_difference_1_4_choice_2 := slice2shift_search_1_4 when slice2cost_difference_1_4_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_5_value := ((slice2cost_signs_ready_words_1 / 32) mod 2) = 1;
+      slice2cost_difference_1_5_choice := slice2shift_reference_1 when slice2cost_difference_1_5_value else
+        slice2shift_search_1_5;
+      slice2cost_difference_1_5_choice_2 := slice2shift_search_1_5 when slice2cost_difference_1_5_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_6_value := ((slice2cost_signs_ready_words_1 / 64) mod 2) = 1;
+      slice2cost_difference_1_6_choice := slice2shift_reference_1 when slice2cost_difference_1_6_value else
+        slice2shift_search_1_6;
+      slice2cost_difference_1_6_choice_2 := slice2shift_search_1_6 when slice2cost_difference_1_6_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_7_value := ((slice2cost_signs_ready_words_1 / 128) mod 2) = 1;
+      slice2cost_difference_1_7_choice := slice2shift_reference_1 when slice2cost_difference_1_7_value else
+        slice2shift_search_1_7;
+      slice2cost_difference_1_7_choice_2 := slice2shift_search_1_7 when slice2cost_difference_1_7_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_8_value := ((slice2cost_signs_ready_words_1 / 256) mod 2) = 1;
+      slice2cost_difference_1_8_choice := slice2shift_reference_1 when slice2cost_difference_1_8_value else
+        slice2shift_search_1_8;
+      slice2cost_difference_1_8_choice_2 := slice2shift_search_1_8 when slice2cost_difference_1_8_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_9_value := ((slice2cost_signs_ready_words_1 / 512) mod 2) = 1;
+      slice2cost_difference_1_9_choice := slice2shift_reference_1 when slice2cost_difference_1_9_value else
+        slice2shift_search_1_9;
+      slice2cost_difference_1_9_choice_2 := slice2shift_search_1_9 when slice2cost_difference_1_9_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_10_value := ((slice2cost_signs_ready_words_1 / 1024) mod 2) = 1;
+      slice2cost_difference_1_10_choice := slice2shift_reference_1 when slice2cost_difference_1_10_value else
+        slice2shift_search_1_10;
+      slice2cost_difference_1_10_choice_2 := slice2shift_search_1_10 when slice2cost_difference_1_10_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_11_value := ((slice2cost_signs_ready_words_1 / 2048) mod 2) = 1;
+      slice2cost_difference_1_11_choice := slice2shift_reference_1 when slice2cost_difference_1_11_value else
+        slice2shift_search_1_11;
+      slice2cost_difference_1_11_choice_2 := slice2shift_search_1_11 when slice2cost_difference_1_11_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_12_value := ((slice2cost_signs_ready_words_1 / 4096) mod 2) = 1;
+      slice2cost_difference_1_12_choice := slice2shift_reference_1 when slice2cost_difference_1_12_value else
+        slice2shift_search_1_12;
+      slice2cost_difference_1_12_choice_2 := slice2shift_search_1_12 when slice2cost_difference_1_12_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_13_value := ((slice2cost_signs_ready_words_1 / 8192) mod 2) = 1;
+      slice2cost_difference_1_13_choice := slice2shift_reference_1 when slice2cost_difference_1_13_value else
+        slice2shift_search_1_13;
+      slice2cost_difference_1_13_choice_2 := slice2shift_search_1_13 when slice2cost_difference_1_13_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_14_value := ((slice2cost_signs_ready_words_1 / 16384) mod 2) = 1;
+      slice2cost_difference_1_14_choice := slice2shift_reference_1 when slice2cost_difference_1_14_value else
+        slice2shift_search_1_14;
+      slice2cost_difference_1_14_choice_2 := slice2shift_search_1_14 when slice2cost_difference_1_14_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_15_value := ((slice2cost_signs_ready_words_1 / 32768) mod 2) = 1;
+      slice2cost_difference_1_15_choice := slice2shift_reference_1 when slice2cost_difference_1_15_value else
+        slice2shift_search_1_15;
+      slice2cost_difference_1_15_choice_2 := slice2shift_search_1_15 when slice2cost_difference_1_15_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_16_value := ((slice2cost_signs_ready_words_1 / 65536) mod 2) = 1;
+      slice2cost_difference_1_16_choice := slice2shift_reference_1 when slice2cost_difference_1_16_value else
+        slice2shift_search_1_16;
+      slice2cost_difference_1_16_choice_2 := slice2shift_search_1_16 when slice2cost_difference_1_16_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_17_value := ((slice2cost_signs_ready_words_1 / 131072) mod 2) = 1;
+      slice2cost_difference_1_17_choice := slice2shift_reference_1 when slice2cost_difference_1_17_value else
+        slice2shift_search_1_17;
+      slice2cost_difference_1_17_choice_2 := slice2shift_search_1_17 when slice2cost_difference_1_17_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_18_value := ((slice2cost_signs_ready_words_1 / 262144) mod 2) = 1;
+      slice2cost_difference_1_18_choice := slice2shift_reference_1 when slice2cost_difference_1_18_value else
+        slice2shift_search_1_18;
+      slice2cost_difference_1_18_choice_2 := slice2shift_search_1_18 when slice2cost_difference_1_18_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_19_value := ((slice2cost_signs_ready_words_1 / 524288) mod 2) = 1;
+      slice2cost_difference_1_19_choice := slice2shift_reference_1 when slice2cost_difference_1_19_value else
+        slice2shift_search_1_19;
+      slice2cost_difference_1_19_choice_2 := slice2shift_search_1_19 when slice2cost_difference_1_19_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_20_value := ((slice2cost_signs_ready_words_1 / 1048576) mod 2) = 1;
+      slice2cost_difference_1_20_choice := slice2shift_reference_1 when slice2cost_difference_1_20_value else
+        slice2shift_search_1_20;
+      slice2cost_difference_1_20_choice_2 := slice2shift_search_1_20 when slice2cost_difference_1_20_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_21_value := ((slice2cost_signs_ready_words_1 / 2097152) mod 2) = 1;
+      slice2cost_difference_1_21_choice := slice2shift_reference_1 when slice2cost_difference_1_21_value else
+        slice2shift_search_1_21;
+      slice2cost_difference_1_21_choice_2 := slice2shift_search_1_21 when slice2cost_difference_1_21_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_22_value := ((slice2cost_signs_ready_words_1 / 4194304) mod 2) = 1;
+      slice2cost_difference_1_22_choice := slice2shift_reference_1 when slice2cost_difference_1_22_value else
+        slice2shift_search_1_22;
+      slice2cost_difference_1_22_choice_2 := slice2shift_search_1_22 when slice2cost_difference_1_22_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_23_value := ((slice2cost_signs_ready_words_1 / 8388608) mod 2) = 1;
+      slice2cost_difference_1_23_choice := slice2shift_reference_1 when slice2cost_difference_1_23_value else
+        slice2shift_search_1_23;
+      slice2cost_difference_1_23_choice_2 := slice2shift_search_1_23 when slice2cost_difference_1_23_value else
+        slice2shift_reference_1;
+      slice2cost_difference_1_24_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 / 16777216) = 1
+        else slice2shift_search_1_24;
+      slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24 when (slice2cost_signs_ready_words_1 / 16777216) =
+        1 else slice2shift_reference_1;
+      slice2cost_difference_2_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_2_2_difference := slice2shift_search_2_2 - slice2shift_reference_2;
+      slice2cost_difference_2_3_difference := slice2shift_search_2_3 - slice2shift_reference_2;
+      slice2cost_difference_2_4_difference := slice2shift_search_2_4 - slice2shift_reference_2;
+      slice2cost_difference_2_5_difference := slice2shift_search_2_5 - slice2shift_reference_2;
+      slice2cost_difference_2_6_difference := slice2shift_search_2_6 - slice2shift_reference_2;
+      slice2cost_difference_2_7_difference := slice2shift_search_2_7 - slice2shift_reference_2;
+      slice2cost_difference_2_8_difference := slice2shift_search_2_8 - slice2shift_reference_2;
+      slice2cost_difference_2_9_difference := slice2shift_search_2_9 - slice2shift_reference_2;
+      slice2cost_difference_2_10_difference := slice2shift_search_2_10 - slice2shift_reference_2;
+      slice2cost_difference_2_11_difference := slice2shift_search_2_11 - slice2shift_reference_2;
+      slice2cost_difference_2_12_difference := slice2shift_search_2_12 - slice2shift_reference_2;
+      slice2cost_difference_2_13_difference := slice2shift_search_2_13 - slice2shift_reference_2;
+      slice2cost_difference_2_14_difference := slice2shift_search_2_14 - slice2shift_reference_2;
+      slice2cost_difference_2_15_difference := slice2shift_search_2_15 - slice2shift_reference_2;
+      slice2cost_difference_2_16_difference := slice2shift_search_2_16 - slice2shift_reference_2;
+      slice2cost_difference_2_17_difference := slice2shift_search_2_17 - slice2shift_reference_2;
+      slice2cost_difference_2_18_difference := slice2shift_search_2_18 - slice2shift_reference_2;
+      slice2cost_difference_2_19_difference := slice2shift_search_2_19 - slice2shift_reference_2;
+      slice2cost_difference_2_20_difference := slice2shift_search_2_20 - slice2shift_reference_2;
+      slice2cost_difference_2_21_difference := slice2shift_search_2_21 - slice2shift_reference_2;
+      slice2cost_difference_2_22_difference := slice2shift_search_2_22 - slice2shift_reference_2;
+      slice2cost_difference_2_23_difference := slice2shift_search_2_23 - slice2shift_reference_2;
+      slice2cost_difference_2_24_difference := slice2shift_search_2_24 - slice2shift_reference_2;
+      slice2cost_difference_3_0_difference := slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_difference_3_1_difference := slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_difference_3_2_difference := slice2shift_search_3_2 - slice2shift_reference_3;
+      slice2cost_difference_3_3_difference := slice2shift_search_3_3 - slice2shift_reference_3;
+      slice2cost_difference_3_4_difference := slice2shift_search_3_4 - slice2shift_reference_3;
+      slice2cost_difference_3_5_difference := slice2shift_search_3_5 - slice2shift_reference_3;
+      slice2cost_difference_3_6_difference := slice2shift_search_3_6 - slice2shift_reference_3;
+      slice2cost_difference_3_7_difference := slice2shift_search_3_7 - slice2shift_reference_3;
+      slice2cost_difference_3_8_difference := slice2shift_search_3_8 - slice2shift_reference_3;
+      slice2cost_difference_3_9_difference := slice2shift_search_3_9 - slice2shift_reference_3;
+      slice2cost_difference_3_10_difference := slice2shift_search_3_10 - slice2shift_reference_3;
+      slice2cost_difference_3_11_difference := slice2shift_search_3_11 - slice2shift_reference_3;
+      slice2cost_difference_3_12_difference := slice2shift_search_3_12 - slice2shift_reference_3;
+      slice2cost_difference_3_13_difference := slice2shift_search_3_13 - slice2shift_reference_3;
+      slice2cost_difference_3_14_difference := slice2shift_search_3_14 - slice2shift_reference_3;
+      slice2cost_difference_3_15_difference := slice2shift_search_3_15 - slice2shift_reference_3;
+      slice2cost_difference_3_16_difference := slice2shift_search_3_16 - slice2shift_reference_3;
+      slice2cost_difference_3_17_difference := slice2shift_search_3_17 - slice2shift_reference_3;
+      slice2cost_difference_3_18_difference := slice2shift_search_3_18 - slice2shift_reference_3;
+      slice2cost_difference_3_19_difference := slice2shift_search_3_19 - slice2shift_reference_3;
+      slice2cost_difference_3_20_difference := slice2shift_search_3_20 - slice2shift_reference_3;
+      slice2cost_difference_3_21_difference := slice2shift_search_3_21 - slice2shift_reference_3;
+      slice2cost_difference_3_22_difference := slice2shift_search_3_22 - slice2shift_reference_3;
+      slice2cost_difference_3_23_difference := slice2shift_search_3_23 - slice2shift_reference_3;
+      slice2cost_difference_3_24_difference := slice2shift_search_3_24 - slice2shift_reference_3;
+      slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
+      slice2cost_signs_ready_words_0 <= to_integer(slice2cost_signs_read_words_0);
+      slice2cost_signs_ready_words_1 <= to_integer(slice2cost_signs_read_words_1);
+      slice2cost_difference_0_0 <= (slice2cost_difference_0_0_choice - slice2cost_difference_0_0_choice_2) mod 256;
+      slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
+      slice2cost_difference_0_2 <= (slice2cost_difference_0_2_choice - slice2cost_difference_0_2_choice_2) mod 256;
+      slice2cost_difference_0_3 <= (slice2cost_difference_0_3_choice - slice2cost_difference_0_3_choice_2) mod 256;
+      slice2cost_difference_0_4 <= (slice2cost_difference_0_4_choice - slice2cost_difference_0_4_choice_2) mod 256;
+      slice2cost_difference_0_5 <= (slice2cost_difference_0_5_choice - slice2cost_difference_0_5_choice_2) mod 256;
+      slice2cost_difference_0_6 <= (slice2cost_difference_0_6_choice - slice2cost_difference_0_6_choice_2) mod 256;
+      slice2cost_difference_0_7 <= (slice2cost_difference_0_7_choice - slice2cost_difference_0_7_choice_2) mod 256;
+      slice2cost_difference_0_8 <= (slice2cost_difference_0_8_choice - slice2cost_difference_0_8_choice_2) mod 256;
+      slice2cost_difference_0_9 <= (slice2cost_difference_0_9_choice - slice2cost_difference_0_9_choice_2) mod 256;
+      slice2cost_difference_0_10 <= (slice2cost_difference_0_10_choice - slice2cost_difference_0_10_choice_2) mod 256;
+      slice2cost_difference_0_11 <= (slice2cost_difference_0_11_choice - slice2cost_difference_0_11_choice_2) mod 256;
+      slice2cost_difference_0_12 <= (slice2cost_difference_0_12_choice - slice2cost_difference_0_12_choice_2) mod 256;
+      slice2cost_difference_0_13 <= (slice2cost_difference_0_13_choice - slice2cost_difference_0_13_choice_2) mod 256;
+      slice2cost_difference_0_14 <= (slice2cost_difference_0_14_choice - slice2cost_difference_0_14_choice_2) mod 256;
+      slice2cost_difference_0_15 <= (slice2cost_difference_0_15_choice - slice2cost_difference_0_15_choice_2) mod 256;
+      slice2cost_difference_0_16 <= (slice2cost_difference_0_16_choice - slice2cost_difference_0_16_choice_2) mod 256;
+      slice2cost_difference_0_17 <= (slice2cost_difference_0_17_choice - slice2cost_difference_0_17_choice_2) mod 256;
+      slice2cost_difference_0_18 <= (slice2cost_difference_0_18_choice - slice2cost_difference_0_18_choice_2) mod 256;
+      slice2cost_difference_0_19 <= (slice2cost_difference_0_19_choice - slice2cost_difference_0_19_choice_2) mod 256;
+      slice2cost_difference_0_20 <= (slice2cost_difference_0_20_choice - slice2cost_difference_0_20_choice_2) mod 256;
+      slice2cost_difference_0_21 <= (slice2cost_difference_0_21_choice - slice2cost_difference_0_21_choice_2) mod 256;
+      slice2cost_difference_0_22 <= (slice2cost_difference_0_22_choice - slice2cost_difference_0_22_choice_2) mod 256;
+      slice2cost_difference_0_23 <= (slice2cost_difference_0_23_choice - slice2cost_difference_0_23_choice_2) mod 256;
+      slice2cost_difference_0_24 <= (slice2cost_difference_0_24_choice - slice2cost_difference_0_24_choice_2) mod 256;
+      slice2cost_difference_1_0 <= (slice2cost_difference_1_0_choice - slice2cost_difference_1_0_choice_2) mod 256;
+      slice2cost_difference_1_1 <= (slice2cost_difference_1_1_choice - slice2cost_difference_1_1_choice_2) mod 256;
+      slice2cost_difference_1_2 <= (slice2cost_difference_1_2_choice - slice2cost_difference_1_2_choice_2) mod 256;
+      slice2cost_difference_1_3 <= (slice2cost_difference_1_3_choice - slice2cost_difference_1_3_choice_2) mod 256;
+      slice2cost_difference_1_4 <= (slice2cost_difference_1_4_choice - slice2cost_difference_1_4_choice_2) mod 256;
+      slice2cost_difference_1_5 <= (slice2cost_difference_1_5_choice - slice2cost_difference_1_5_choice_2) mod 256;
+      slice2cost_difference_1_6 <= (slice2cost_difference_1_6_choice - slice2cost_difference_1_6_choice_2) mod 256;
+      slice2cost_difference_1_7 <= (slice2cost_difference_1_7_choice - slice2cost_difference_1_7_choice_2) mod 256;
+      slice2cost_difference_1_8 <= (slice2cost_difference_1_8_choice - slice2cost_difference_1_8_choice_2) mod 256;
+      slice2cost_difference_1_9 <= (slice2cost_difference_1_9_choice - slice2cost_difference_1_9_choice_2) mod 256;
+      slice2cost_difference_1_10 <= (slice2cost_difference_1_10_choice - slice2cost_difference_1_10_choice_2) mod 256;
+      slice2cost_difference_1_11 <= (slice2cost_difference_1_11_choice - slice2cost_difference_1_11_choice_2) mod 256;
+      slice2cost_difference_1_12 <= (slice2cost_difference_1_12_choice - slice2cost_difference_1_12_choice_2) mod 256;
+      slice2cost_difference_1_13 <= (slice2cost_difference_1_13_choice - slice2cost_difference_1_13_choice_2) mod 256;
+      slice2cost_difference_1_14 <= (slice2cost_difference_1_14_choice - slice2cost_difference_1_14_choice_2) mod 256;
+      slice2cost_difference_1_15 <= (slice2cost_difference_1_15_choice - slice2cost_difference_1_15_choice_2) mod 256;
+      slice2cost_difference_1_16 <= (slice2cost_difference_1_16_choice - slice2cost_difference_1_16_choice_2) mod 256;
+      slice2cost_difference_1_17 <= (slice2cost_difference_1_17_choice - slice2cost_difference_1_17_choice_2) mod 256;
+      slice2cost_difference_1_18 <= (slice2cost_difference_1_18_choice - slice2cost_difference_1_18_choice_2) mod 256;
+      slice2cost_difference_1_19 <= (slice2cost_difference_1_19_choice - slice2cost_difference_1_19_choice_2) mod 256;
+      slice2cost_difference_1_20 <= (slice2cost_difference_1_20_choice - slice2cost_difference_1_20_choice_2) mod 256;
+      slice2cost_difference_1_21 <= (slice2cost_difference_1_21_choice - slice2cost_difference_1_21_choice_2) mod 256;
+      slice2cost_difference_1_22 <= (slice2cost_difference_1_22_choice - slice2cost_difference_1_22_choice_2) mod 256;
+      slice2cost_difference_1_23 <= (slice2cost_difference_1_23_choice - slice2cost_difference_1_23_choice_2) mod 256;
+      slice2cost_difference_1_24 <= (slice2cost_difference_1_24_choice - slice2cost_difference_1_24_choice_2) mod 256;
+      slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference when (slice0cost_pair_tag_newest_inside mod 2)
+        = 1 else 0;
+      slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference when (slice0cost_pair_tag_newest_inside mod
+        2) = 1 else 0;
+      slice2cost_difference_3_0 <= slice2cost_difference_3_0_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_1 <= slice2cost_difference_3_1_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_2 <= slice2cost_difference_3_2_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_3 <= slice2cost_difference_3_3_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_4 <= slice2cost_difference_3_4_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_5 <= slice2cost_difference_3_5_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_6 <= slice2cost_difference_3_6_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_7 <= slice2cost_difference_3_7_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_8 <= slice2cost_difference_3_8_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_9 <= slice2cost_difference_3_9_difference when (slice0cost_pair_tag_newest_inside / 2) =
+        1 else 0;
+      slice2cost_difference_3_10 <= slice2cost_difference_3_10_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_11 <= slice2cost_difference_3_11_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_12 <= slice2cost_difference_3_12_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_13 <= slice2cost_difference_3_13_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_14 <= slice2cost_difference_3_14_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_15 <= slice2cost_difference_3_15_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_16 <= slice2cost_difference_3_16_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_17 <= slice2cost_difference_3_17_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_18 <= slice2cost_difference_3_18_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_19 <= slice2cost_difference_3_19_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_20 <= slice2cost_difference_3_20_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_21 <= slice2cost_difference_3_21_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_22 <= slice2cost_difference_3_22_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_23 <= slice2cost_difference_3_23_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_difference_3_24 <= slice2cost_difference_3_24_difference when (slice0cost_pair_tag_newest_inside / 2)
+        = 1 else 0;
+      slice2cost_newest_negative_0_0 <= slice2cost_difference_2_0_difference < 0;
+      slice2cost_newest_negative_0_1 <= slice2cost_difference_2_1_difference < 0;
+      slice2cost_newest_negative_0_2 <= slice2cost_difference_2_2_difference < 0;
+      slice2cost_newest_negative_0_3 <= slice2cost_difference_2_3_difference < 0;
+      slice2cost_newest_negative_0_4 <= slice2cost_difference_2_4_difference < 0;
+      slice2cost_newest_negative_0_5 <= slice2cost_difference_2_5_difference < 0;
+      slice2cost_newest_negative_0_6 <= slice2cost_difference_2_6_difference < 0;
+      slice2cost_newest_negative_0_7 <= slice2cost_difference_2_7_difference < 0;
+      slice2cost_newest_negative_0_8 <= slice2cost_difference_2_8_difference < 0;
+      slice2cost_newest_negative_0_9 <= slice2cost_difference_2_9_difference < 0;
+      slice2cost_newest_negative_0_10 <= slice2cost_difference_2_10_difference < 0;
+      slice2cost_newest_negative_0_11 <= slice2cost_difference_2_11_difference < 0;
+      slice2cost_newest_negative_0_12 <= slice2cost_difference_2_12_difference < 0;
+      slice2cost_newest_negative_0_13 <= slice2cost_difference_2_13_difference < 0;
+      slice2cost_newest_negative_0_14 <= slice2cost_difference_2_14_difference < 0;
+      slice2cost_newest_negative_0_15 <= slice2cost_difference_2_15_difference < 0;
+      slice2cost_newest_negative_0_16 <= slice2cost_difference_2_16_difference < 0;
+      slice2cost_newest_negative_0_17 <= slice2cost_difference_2_17_difference < 0;
+      slice2cost_newest_negative_0_18 <= slice2cost_difference_2_18_difference < 0;
+      slice2cost_newest_negative_0_19 <= slice2cost_difference_2_19_difference < 0;
+      slice2cost_newest_negative_0_20 <= slice2cost_difference_2_20_difference < 0;
+      slice2cost_newest_negative_0_21 <= slice2cost_difference_2_21_difference < 0;
+      slice2cost_newest_negative_0_22 <= slice2cost_difference_2_22_difference < 0;
+      slice2cost_newest_negative_0_23 <= slice2cost_difference_2_23_difference < 0;
+      slice2cost_newest_negative_0_24 <= slice2cost_difference_2_24_difference < 0;
+      slice2cost_newest_negative_1_0 <= slice2cost_difference_3_0_difference < 0;
+      slice2cost_newest_negative_1_1 <= slice2cost_difference_3_1_difference < 0;
+      slice2cost_newest_negative_1_2 <= slice2cost_difference_3_2_difference < 0;
+      slice2cost_newest_negative_1_3 <= slice2cost_difference_3_3_difference < 0;
+      slice2cost_newest_negative_1_4 <= slice2cost_difference_3_4_difference < 0;
+      slice2cost_newest_negative_1_5 <= slice2cost_difference_3_5_difference < 0;
+      slice2cost_newest_negative_1_6 <= slice2cost_difference_3_6_difference < 0;
+      slice2cost_newest_negative_1_7 <= slice2cost_difference_3_7_difference < 0;
+      slice2cost_newest_negative_1_8 <= slice2cost_difference_3_8_difference < 0;
+      slice2cost_newest_negative_1_9 <= slice2cost_difference_3_9_difference < 0;
+      slice2cost_newest_negative_1_10 <= slice2cost_difference_3_10_difference < 0;
+      slice2cost_newest_negative_1_11 <= slice2cost_difference_3_11_difference < 0;
+      slice2cost_newest_negative_1_12 <= slice2cost_difference_3_12_difference < 0;
+      slice2cost_newest_negative_1_13 <= slice2cost_difference_3_13_difference < 0;
+      slice2cost_newest_negative_1_14 <= slice2cost_difference_3_14_difference < 0;
+      slice2cost_newest_negative_1_15 <= slice2cost_difference_3_15_difference < 0;
+      slice2cost_newest_negative_1_16 <= slice2cost_difference_3_16_difference < 0;
+      slice2cost_newest_negative_1_17 <= slice2cost_difference_3_17_difference < 0;
+      slice2cost_newest_negative_1_18 <= slice2cost_difference_3_18_difference < 0;
+      slice2cost_newest_negative_1_19 <= slice2cost_difference_3_19_difference < 0;
+      slice2cost_newest_negative_1_20 <= slice2cost_difference_3_20_difference < 0;
+      slice2cost_newest_negative_1_21 <= slice2cost_difference_3_21_difference < 0;
+      slice2cost_newest_negative_1_22 <= slice2cost_difference_3_22_difference < 0;
+      slice2cost_newest_negative_1_23 <= slice2cost_difference_3_23_difference < 0;
+      slice2cost_newest_negative_1_24 <= slice2cost_difference_3_24_difference < 0;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_2_0 < 0)) + slice2cost_difference_1_0 +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_2_1 < 0)) + slice2cost_difference_1_1 +
+        folded(slice2cost_difference_2_1);
+      slice2cost_pair_0_2 <= as_number((slice2cost_difference_2_2 < 0)) + slice2cost_difference_1_2 +
+        folded(slice2cost_difference_2_2);
+      slice2cost_pair_0_3 <= as_number((slice2cost_difference_2_3 < 0)) + slice2cost_difference_1_3 +
+        folded(slice2cost_difference_2_3);
+      slice2cost_pair_0_4 <= as_number((slice2cost_difference_2_4 < 0)) + slice2cost_difference_1_4 +
+        folded(slice2cost_difference_2_4);
+      slice2cost_pair_0_5 <= as_number((slice2cost_difference_2_5 < 0)) + slice2cost_difference_1_5 +
+        folded(slice2cost_difference_2_5);
+      slice2cost_pair_0_6 <= as_number((slice2cost_difference_2_6 < 0)) + slice2cost_difference_1_6 +
+        folded(slice2cost_difference_2_6);
+      slice2cost_pair_0_7 <= as_number((slice2cost_difference_2_7 < 0)) + slice2cost_difference_1_7 +
+        folded(slice2cost_difference_2_7);
+      slice2cost_pair_0_8 <= as_number((slice2cost_difference_2_8 < 0)) + slice2cost_difference_1_8 +
+        folded(slice2cost_difference_2_8);
+      slice2cost_pair_0_9 <= as_number((slice2cost_difference_2_9 < 0)) + slice2cost_difference_1_9 +
+        folded(slice2cost_difference_2_9);
+      slice2cost_pair_0_10 <= as_number((slice2cost_difference_2_10 < 0)) + slice2cost_difference_1_10 +
+        folded(slice2cost_difference_2_10);
+      slice2cost_pair_0_11 <= as_number((slice2cost_difference_2_11 < 0)) + slice2cost_difference_1_11 +
+        folded(slice2cost_difference_2_11);
+      slice2cost_pair_0_12 <= as_number((slice2cost_difference_2_12 < 0)) + slice2cost_difference_1_12 +
+        folded(slice2cost_difference_2_12);
+      slice2cost_pair_0_13 <= as_number((slice2cost_difference_2_13 < 0)) + slice2cost_difference_1_13 +
+        folded(slice2cost_difference_2_13);
+      slice2cost_pair_0_14 <= as_number((slice2cost_difference_2_14 < 0)) + slice2cost_difference_1_14 +
+        folded(slice2cost_difference_2_14);
+      slice2cost_pair_0_15 <= as_number((slice2cost_difference_2_15 < 0)) + slice2cost_difference_1_15 +
+        folded(slice2cost_difference_2_15);
+      slice2cost_pair_0_16 <= as_number((slice2cost_difference_2_16 < 0)) + slice2cost_difference_1_16 +
+        folded(slice2cost_difference_2_16);
+      slice2cost_pair_0_17 <= as_number((slice2cost_difference_2_17 < 0)) + slice2cost_difference_1_17 +
+        folded(slice2cost_difference_2_17);
+      slice2cost_pair_0_18 <= as_number((slice2cost_difference_2_18 < 0)) + slice2cost_difference_1_18 +
+        folded(slice2cost_difference_2_18);
+      slice2cost_pair_0_19 <= as_number((slice2cost_difference_2_19 < 0)) + slice2cost_difference_1_19 +
+        folded(slice2cost_difference_2_19);
+      slice2cost_pair_0_20 <= as_number((slice2cost_difference_2_20 < 0)) + slice2cost_difference_1_20 +
+        folded(slice2cost_difference_2_20);
+      slice2cost_pair_0_21 <= as_number((slice2cost_difference_2_21 < 0)) + slice2cost_difference_1_21 +
+        folded(slice2cost_difference_2_21);
+      slice2cost_pair_0_22 <= as_number((slice2cost_difference_2_22 < 0)) + slice2cost_difference_1_22 +
+        folded(slice2cost_difference_2_22);
+      slice2cost_pair_0_23 <= as_number((slice2cost_difference_2_23 < 0)) + slice2cost_difference_1_23 +
+        folded(slice2cost_difference_2_23);
+      slice2cost_pair_0_24 <= as_number((slice2cost_difference_2_24 < 0)) + slice2cost_difference_1_24 +
+        folded(slice2cost_difference_2_24);
+      slice2cost_single_0_0 <= slice2cost_difference_0_0;
+      slice2cost_single_0_1 <= slice2cost_difference_0_1;
+      slice2cost_single_0_2 <= slice2cost_difference_0_2;
+      slice2cost_single_0_3 <= slice2cost_difference_0_3;
+      slice2cost_single_0_4 <= slice2cost_difference_0_4;
+      slice2cost_single_0_5 <= slice2cost_difference_0_5;
+      slice2cost_single_0_6 <= slice2cost_difference_0_6;
+      slice2cost_single_0_7 <= slice2cost_difference_0_7;
+      slice2cost_single_0_8 <= slice2cost_difference_0_8;
+      slice2cost_single_0_9 <= slice2cost_difference_0_9;
+      slice2cost_single_0_10 <= slice2cost_difference_0_10;
+      slice2cost_single_0_11 <= slice2cost_difference_0_11;
+      slice2cost_single_0_12 <= slice2cost_difference_0_12;
+      slice2cost_single_0_13 <= slice2cost_difference_0_13;
+      slice2cost_single_0_14 <= slice2cost_difference_0_14;
+      slice2cost_single_0_15 <= slice2cost_difference_0_15;
+      slice2cost_single_0_16 <= slice2cost_difference_0_16;
+      slice2cost_single_0_17 <= slice2cost_difference_0_17;
+      slice2cost_single_0_18 <= slice2cost_difference_0_18;
+      slice2cost_single_0_19 <= slice2cost_difference_0_19;
+      slice2cost_single_0_20 <= slice2cost_difference_0_20;
+      slice2cost_single_0_21 <= slice2cost_difference_0_21;
+      slice2cost_single_0_22 <= slice2cost_difference_0_22;
+      slice2cost_single_0_23 <= slice2cost_difference_0_23;
+      slice2cost_single_0_24 <= slice2cost_difference_0_24;
       slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
       slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
       slice2cost_single_3_2 <= folded(slice2cost_difference_3_2);
@@ -3761,159 +5574,140 @@ begin
       slice2cost_single_3_22 <= folded(slice2cost_difference_3_22);
       slice2cost_single_3_23 <= folded(slice2cost_difference_3_23);
       slice2cost_single_3_24 <= folded(slice2cost_difference_3_24);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_0_2 <= slice2cost_difference_0_2 < 0;
-      slice2cost_negative_0_3 <= slice2cost_difference_0_3 < 0;
-      slice2cost_negative_0_4 <= slice2cost_difference_0_4 < 0;
-      slice2cost_negative_0_5 <= slice2cost_difference_0_5 < 0;
-      slice2cost_negative_0_6 <= slice2cost_difference_0_6 < 0;
-      slice2cost_negative_0_7 <= slice2cost_difference_0_7 < 0;
-      slice2cost_negative_0_8 <= slice2cost_difference_0_8 < 0;
-      slice2cost_negative_0_9 <= slice2cost_difference_0_9 < 0;
-      slice2cost_negative_0_10 <= slice2cost_difference_0_10 < 0;
-      slice2cost_negative_0_11 <= slice2cost_difference_0_11 < 0;
-      slice2cost_negative_0_12 <= slice2cost_difference_0_12 < 0;
-      slice2cost_negative_0_13 <= slice2cost_difference_0_13 < 0;
-      slice2cost_negative_0_14 <= slice2cost_difference_0_14 < 0;
-      slice2cost_negative_0_15 <= slice2cost_difference_0_15 < 0;
-      slice2cost_negative_0_16 <= slice2cost_difference_0_16 < 0;
-      slice2cost_negative_0_17 <= slice2cost_difference_0_17 < 0;
-      slice2cost_negative_0_18 <= slice2cost_difference_0_18 < 0;
-      slice2cost_negative_0_19 <= slice2cost_difference_0_19 < 0;
-      slice2cost_negative_0_20 <= slice2cost_difference_0_20 < 0;
-      slice2cost_negative_0_21 <= slice2cost_difference_0_21 < 0;
-      slice2cost_negative_0_22 <= slice2cost_difference_0_22 < 0;
-      slice2cost_negative_0_23 <= slice2cost_difference_0_23 < 0;
-      slice2cost_negative_0_24 <= slice2cost_difference_0_24 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_negative_3_2 <= slice2cost_difference_3_2 < 0;
-      slice2cost_negative_3_3 <= slice2cost_difference_3_3 < 0;
-      slice2cost_negative_3_4 <= slice2cost_difference_3_4 < 0;
-      slice2cost_negative_3_5 <= slice2cost_difference_3_5 < 0;
-      slice2cost_negative_3_6 <= slice2cost_difference_3_6 < 0;
-      slice2cost_negative_3_7 <= slice2cost_difference_3_7 < 0;
-      slice2cost_negative_3_8 <= slice2cost_difference_3_8 < 0;
-      slice2cost_negative_3_9 <= slice2cost_difference_3_9 < 0;
-      slice2cost_negative_3_10 <= slice2cost_difference_3_10 < 0;
-      slice2cost_negative_3_11 <= slice2cost_difference_3_11 < 0;
-      slice2cost_negative_3_12 <= slice2cost_difference_3_12 < 0;
-      slice2cost_negative_3_13 <= slice2cost_difference_3_13 < 0;
-      slice2cost_negative_3_14 <= slice2cost_difference_3_14 < 0;
-      slice2cost_negative_3_15 <= slice2cost_difference_3_15 < 0;
-      slice2cost_negative_3_16 <= slice2cost_difference_3_16 < 0;
-      slice2cost_negative_3_17 <= slice2cost_difference_3_17 < 0;
-      slice2cost_negative_3_18 <= slice2cost_difference_3_18 < 0;
-      slice2cost_negative_3_19 <= slice2cost_difference_3_19 < 0;
-      slice2cost_negative_3_20 <= slice2cost_difference_3_20 < 0;
-      slice2cost_negative_3_21 <= slice2cost_difference_3_21 < 0;
-      slice2cost_negative_3_22 <= slice2cost_difference_3_22 < 0;
-      slice2cost_negative_3_23 <= slice2cost_difference_3_23 < 0;
-      slice2cost_negative_3_24 <= slice2cost_difference_3_24 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_2) +
-        slice2cost_pair_0_2 + slice2cost_single_0_2;
-      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_3) +
-        slice2cost_pair_0_3 + slice2cost_single_0_3;
-      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_4) +
-        slice2cost_pair_0_4 + slice2cost_single_0_4;
-      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_5) +
-        slice2cost_pair_0_5 + slice2cost_single_0_5;
-      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_6) +
-        slice2cost_pair_0_6 + slice2cost_single_0_6;
-      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_7) +
-        slice2cost_pair_0_7 + slice2cost_single_0_7;
-      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_8) +
-        slice2cost_pair_0_8 + slice2cost_single_0_8;
-      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_9) +
-        slice2cost_pair_0_9 + slice2cost_single_0_9;
-      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_10) +
-        slice2cost_pair_0_10 + slice2cost_single_0_10;
-      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_11) +
-        slice2cost_pair_0_11 + slice2cost_single_0_11;
-      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_12) +
-        slice2cost_pair_0_12 + slice2cost_single_0_12;
-      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_13) +
-        slice2cost_pair_0_13 + slice2cost_single_0_13;
-      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_14) +
-        slice2cost_pair_0_14 + slice2cost_single_0_14;
-      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_15) +
-        slice2cost_pair_0_15 + slice2cost_single_0_15;
-      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_16) +
-        slice2cost_pair_0_16 + slice2cost_single_0_16;
-      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_17) +
-        slice2cost_pair_0_17 + slice2cost_single_0_17;
-      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_18) +
-        slice2cost_pair_0_18 + slice2cost_single_0_18;
-      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_19) +
-        slice2cost_pair_0_19 + slice2cost_single_0_19;
-      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_20) +
-        slice2cost_pair_0_20 + slice2cost_single_0_20;
-      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_21) +
-        slice2cost_pair_0_21 + slice2cost_single_0_21;
-      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_22) +
-        slice2cost_pair_0_22 + slice2cost_single_0_22;
-      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_23) +
-        slice2cost_pair_0_23 + slice2cost_single_0_23;
-      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_24) +
-        slice2cost_pair_0_24 + slice2cost_single_0_24;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
+      slice2cost_single_negative_3_0 <= slice2cost_difference_3_0 < 0;
+      slice2cost_single_negative_3_1 <= slice2cost_difference_3_1 < 0;
+      slice2cost_single_negative_3_2 <= slice2cost_difference_3_2 < 0;
+      slice2cost_single_negative_3_3 <= slice2cost_difference_3_3 < 0;
+      slice2cost_single_negative_3_4 <= slice2cost_difference_3_4 < 0;
+      slice2cost_single_negative_3_5 <= slice2cost_difference_3_5 < 0;
+      slice2cost_single_negative_3_6 <= slice2cost_difference_3_6 < 0;
+      slice2cost_single_negative_3_7 <= slice2cost_difference_3_7 < 0;
+      slice2cost_single_negative_3_8 <= slice2cost_difference_3_8 < 0;
+      slice2cost_single_negative_3_9 <= slice2cost_difference_3_9 < 0;
+      slice2cost_single_negative_3_10 <= slice2cost_difference_3_10 < 0;
+      slice2cost_single_negative_3_11 <= slice2cost_difference_3_11 < 0;
+      slice2cost_single_negative_3_12 <= slice2cost_difference_3_12 < 0;
+      slice2cost_single_negative_3_13 <= slice2cost_difference_3_13 < 0;
+      slice2cost_single_negative_3_14 <= slice2cost_difference_3_14 < 0;
+      slice2cost_single_negative_3_15 <= slice2cost_difference_3_15 < 0;
+      slice2cost_single_negative_3_16 <= slice2cost_difference_3_16 < 0;
+      slice2cost_single_negative_3_17 <= slice2cost_difference_3_17 < 0;
+      slice2cost_single_negative_3_18 <= slice2cost_difference_3_18 < 0;
+      slice2cost_single_negative_3_19 <= slice2cost_difference_3_19 < 0;
+      slice2cost_single_negative_3_20 <= slice2cost_difference_3_20 < 0;
+      slice2cost_single_negative_3_21 <= slice2cost_difference_3_21 < 0;
+      slice2cost_single_negative_3_22 <= slice2cost_difference_3_22 < 0;
+      slice2cost_single_negative_3_23 <= slice2cost_difference_3_23 < 0;
+      slice2cost_single_negative_3_24 <= slice2cost_difference_3_24 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_2 + slice2cost_single_0_2;
+      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_3 + slice2cost_single_0_3;
+      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_4 + slice2cost_single_0_4;
+      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_5 + slice2cost_single_0_5;
+      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_6 + slice2cost_single_0_6;
+      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_7 + slice2cost_single_0_7;
+      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_8 + slice2cost_single_0_8;
+      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_9 + slice2cost_single_0_9;
+      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_10 + slice2cost_single_0_10;
+      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_11 + slice2cost_single_0_11;
+      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_12 + slice2cost_single_0_12;
+      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_13 + slice2cost_single_0_13;
+      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_14 + slice2cost_single_0_14;
+      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_15 + slice2cost_single_0_15;
+      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_16 + slice2cost_single_0_16;
+      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_17 + slice2cost_single_0_17;
+      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_18 + slice2cost_single_0_18;
+      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_19 + slice2cost_single_0_19;
+      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_20 + slice2cost_single_0_20;
+      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_21 + slice2cost_single_0_21;
+      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_22 + slice2cost_single_0_22;
+      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_23 + slice2cost_single_0_23;
+      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_24 + slice2cost_single_0_24;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_0) +
         slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_1) +
         slice2cost_pair_0_1 + slice2cost_single_3_1;
-      slice2cost_column_1_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_2) +
+      slice2cost_column_1_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_2) +
         slice2cost_pair_0_2 + slice2cost_single_3_2;
-      slice2cost_column_1_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_3) +
+      slice2cost_column_1_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_3) +
         slice2cost_pair_0_3 + slice2cost_single_3_3;
-      slice2cost_column_1_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_4) +
+      slice2cost_column_1_4 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_4) +
         slice2cost_pair_0_4 + slice2cost_single_3_4;
-      slice2cost_column_1_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_5) +
+      slice2cost_column_1_5 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_5) +
         slice2cost_pair_0_5 + slice2cost_single_3_5;
-      slice2cost_column_1_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_6) +
+      slice2cost_column_1_6 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_6) +
         slice2cost_pair_0_6 + slice2cost_single_3_6;
-      slice2cost_column_1_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_7) +
+      slice2cost_column_1_7 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_7) +
         slice2cost_pair_0_7 + slice2cost_single_3_7;
-      slice2cost_column_1_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_8) +
+      slice2cost_column_1_8 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_8) +
         slice2cost_pair_0_8 + slice2cost_single_3_8;
-      slice2cost_column_1_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_9) +
+      slice2cost_column_1_9 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_9) +
         slice2cost_pair_0_9 + slice2cost_single_3_9;
-      slice2cost_column_1_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_10) +
+      slice2cost_column_1_10 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_10) +
         slice2cost_pair_0_10 + slice2cost_single_3_10;
-      slice2cost_column_1_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_11) +
+      slice2cost_column_1_11 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_11) +
         slice2cost_pair_0_11 + slice2cost_single_3_11;
-      slice2cost_column_1_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_12) +
+      slice2cost_column_1_12 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_12) +
         slice2cost_pair_0_12 + slice2cost_single_3_12;
-      slice2cost_column_1_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_13) +
+      slice2cost_column_1_13 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_13) +
         slice2cost_pair_0_13 + slice2cost_single_3_13;
-      slice2cost_column_1_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_14) +
+      slice2cost_column_1_14 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_14) +
         slice2cost_pair_0_14 + slice2cost_single_3_14;
-      slice2cost_column_1_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_15) +
+      slice2cost_column_1_15 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_15) +
         slice2cost_pair_0_15 + slice2cost_single_3_15;
-      slice2cost_column_1_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_16) +
+      slice2cost_column_1_16 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_16) +
         slice2cost_pair_0_16 + slice2cost_single_3_16;
-      slice2cost_column_1_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_17) +
+      slice2cost_column_1_17 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_17) +
         slice2cost_pair_0_17 + slice2cost_single_3_17;
-      slice2cost_column_1_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_18) +
+      slice2cost_column_1_18 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_18) +
         slice2cost_pair_0_18 + slice2cost_single_3_18;
-      slice2cost_column_1_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_19) +
+      slice2cost_column_1_19 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_19) +
         slice2cost_pair_0_19 + slice2cost_single_3_19;
-      slice2cost_column_1_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_20) +
+      slice2cost_column_1_20 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_20) +
         slice2cost_pair_0_20 + slice2cost_single_3_20;
-      slice2cost_column_1_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_21) +
+      slice2cost_column_1_21 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_21) +
         slice2cost_pair_0_21 + slice2cost_single_3_21;
-      slice2cost_column_1_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_22) +
+      slice2cost_column_1_22 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_22) +
         slice2cost_pair_0_22 + slice2cost_single_3_22;
-      slice2cost_column_1_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_23) +
+      slice2cost_column_1_23 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_23) +
         slice2cost_pair_0_23 + slice2cost_single_3_23;
-      slice2cost_column_1_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_24) +
+      slice2cost_column_1_24 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_24) +
         slice2cost_pair_0_24 + slice2cost_single_3_24;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      if slice0cost_tag_valid then
+        slice2cost_signs_write_column <= slice2cost_signs_difference_column;
+        slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice2cost_newest_negative_0_24) * 16777216) + (as_number(slice2cost_newest_negative_0_22) *
+          4194304) + (as_number(slice2cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice2cost_newest_negative_0_20) * 1048576) + (as_number(slice2cost_newest_negative_0_19) *
+          524288) + (as_number(slice2cost_newest_negative_0_18) * 262144) + (as_number(slice2cost_newest_negative_0_17)
+          * 131072) + (as_number(slice2cost_newest_negative_0_16) * 65536) +
+          (as_number(slice2cost_newest_negative_0_15) * 32768) + (as_number(slice2cost_newest_negative_0_14) * 16384) +
+          (as_number(slice2cost_newest_negative_0_13) * 8192) + (as_number(slice2cost_newest_negative_0_12) * 4096) +
+          (as_number(slice2cost_newest_negative_0_11) * 2048) + (as_number(slice2cost_newest_negative_0_10) * 1024) +
+          (as_number(slice2cost_newest_negative_0_9) * 512) + (as_number(slice2cost_newest_negative_0_8) * 256) +
+          (as_number(slice2cost_newest_negative_0_6) * 64) + (as_number(slice2cost_newest_negative_0_7) * 128) +
+          (as_number(slice2cost_newest_negative_0_5) * 32) + (as_number(slice2cost_newest_negative_0_4) * 16) +
+          (as_number(slice2cost_newest_negative_0_3) * 8) + (as_number(slice2cost_newest_negative_0_2) * 4) +
+          as_number(slice2cost_newest_negative_0_0) + (as_number(slice2cost_newest_negative_0_1) * 2);
+        slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_1_23) * 8388608) +
+          (as_number(slice2cost_newest_negative_1_24) * 16777216) + (as_number(slice2cost_newest_negative_1_22) *
+          4194304) + (as_number(slice2cost_newest_negative_1_21) * 2097152) +
+          (as_number(slice2cost_newest_negative_1_20) * 1048576) + (as_number(slice2cost_newest_negative_1_19) *
+          524288) + (as_number(slice2cost_newest_negative_1_18) * 262144) + (as_number(slice2cost_newest_negative_1_17)
+          * 131072) + (as_number(slice2cost_newest_negative_1_16) * 65536) +
+          (as_number(slice2cost_newest_negative_1_15) * 32768) + (as_number(slice2cost_newest_negative_1_14) * 16384) +
+          (as_number(slice2cost_newest_negative_1_13) * 8192) + (as_number(slice2cost_newest_negative_1_12) * 4096) +
+          (as_number(slice2cost_newest_negative_1_11) * 2048) + (as_number(slice2cost_newest_negative_1_10) * 1024) +
+          (as_number(slice2cost_newest_negative_1_9) * 512) + (as_number(slice2cost_newest_negative_1_8) * 256) +
+          (as_number(slice2cost_newest_negative_1_6) * 64) + (as_number(slice2cost_newest_negative_1_7) * 128) +
+          (as_number(slice2cost_newest_negative_1_5) * 32) + (as_number(slice2cost_newest_negative_1_4) * 16) +
+          (as_number(slice2cost_newest_negative_1_3) * 8) + (as_number(slice2cost_newest_negative_1_2) * 4) +
+          as_number(slice2cost_newest_negative_1_0) + (as_number(slice2cost_newest_negative_1_1) * 2);
+      end if;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -4066,241 +5860,363 @@ begin
       slice2window_sum_1_23 <= slice2cost_column_1_23 + slice2window_partial_1_1_23;
       slice2window_sum_1_24 <= slice2cost_column_1_24 + slice2window_partial_1_1_24;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2_is_less := slice2window_sum_0_5 < slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3_is_less := slice2window_sum_0_7 < slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4_is_less := slice2window_sum_0_9 < slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5_is_less := slice2window_sum_0_11 < slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6_is_less := slice2window_sum_0_13 < slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7_is_less := slice2window_sum_0_15 < slice2window_sum_0_14;
-      slice2winner1_best_cost_0_8_is_less := slice2window_sum_0_17 < slice2window_sum_0_16;
-      slice2winner1_best_cost_0_9_is_less := slice2window_sum_0_19 < slice2window_sum_0_18;
-      slice2winner1_best_cost_0_10_is_less := slice2window_sum_0_21 < slice2window_sum_0_20;
-      slice2winner1_best_cost_0_11_is_less := slice2window_sum_0_23 < slice2window_sum_0_22;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
-      slice2winner1_best_cost_1_1_is_less := slice2window_sum_1_3 < slice2window_sum_1_2;
-      slice2winner1_best_cost_1_2_is_less := slice2window_sum_1_5 < slice2window_sum_1_4;
-      slice2winner1_best_cost_1_3_is_less := slice2window_sum_1_7 < slice2window_sum_1_6;
-      slice2winner1_best_cost_1_4_is_less := slice2window_sum_1_9 < slice2window_sum_1_8;
-      slice2winner1_best_cost_1_5_is_less := slice2window_sum_1_11 < slice2window_sum_1_10;
-      slice2winner1_best_cost_1_6_is_less := slice2window_sum_1_13 < slice2window_sum_1_12;
-      slice2winner1_best_cost_1_7_is_less := slice2window_sum_1_15 < slice2window_sum_1_14;
-      slice2winner1_best_cost_1_8_is_less := slice2window_sum_1_17 < slice2window_sum_1_16;
-      slice2winner1_best_cost_1_9_is_less := slice2window_sum_1_19 < slice2window_sum_1_18;
-      slice2winner1_best_cost_1_10_is_less := slice2window_sum_1_21 < slice2window_sum_1_20;
-      slice2winner1_best_cost_1_11_is_less := slice2window_sum_1_23 < slice2window_sum_1_22;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
-      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
-        slice2window_sum_0_16;
-      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
-        slice2window_sum_0_18;
-      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
-        slice2window_sum_0_20;
-      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
-        slice2window_sum_0_22;
-      slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
-      slice2winner1_best_cost_1_1 <= slice2window_sum_1_3 when slice2winner1_best_cost_1_1_is_less else
-        slice2window_sum_1_2;
-      slice2winner1_best_cost_1_2 <= slice2window_sum_1_5 when slice2winner1_best_cost_1_2_is_less else
-        slice2window_sum_1_4;
-      slice2winner1_best_cost_1_3 <= slice2window_sum_1_7 when slice2winner1_best_cost_1_3_is_less else
-        slice2window_sum_1_6;
-      slice2winner1_best_cost_1_4 <= slice2window_sum_1_9 when slice2winner1_best_cost_1_4_is_less else
-        slice2window_sum_1_8;
-      slice2winner1_best_cost_1_5 <= slice2window_sum_1_11 when slice2winner1_best_cost_1_5_is_less else
-        slice2window_sum_1_10;
-      slice2winner1_best_cost_1_6 <= slice2window_sum_1_13 when slice2winner1_best_cost_1_6_is_less else
-        slice2window_sum_1_12;
-      slice2winner1_best_cost_1_7 <= slice2window_sum_1_15 when slice2winner1_best_cost_1_7_is_less else
-        slice2window_sum_1_14;
-      slice2winner1_best_cost_1_8 <= slice2window_sum_1_17 when slice2winner1_best_cost_1_8_is_less else
-        slice2window_sum_1_16;
-      slice2winner1_best_cost_1_9 <= slice2window_sum_1_19 when slice2winner1_best_cost_1_9_is_less else
-        slice2window_sum_1_18;
-      slice2winner1_best_cost_1_10 <= slice2window_sum_1_21 when slice2winner1_best_cost_1_10_is_less else
-        slice2window_sum_1_20;
-      slice2winner1_best_cost_1_11 <= slice2window_sum_1_23 when slice2winner1_best_cost_1_11_is_less else
-        slice2window_sum_1_22;
-      slice2winner1_best_cost_1_12 <= slice2window_sum_1_24;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
-      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
-      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
-      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
-      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
-      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      slice2winner1_best_index_1_1 <= 3 when slice2winner1_best_cost_1_1_is_less else 2;
-      slice2winner1_best_index_1_2 <= 5 when slice2winner1_best_cost_1_2_is_less else 4;
-      slice2winner1_best_index_1_3 <= 7 when slice2winner1_best_cost_1_3_is_less else 6;
-      slice2winner1_best_index_1_4 <= 9 when slice2winner1_best_cost_1_4_is_less else 8;
-      slice2winner1_best_index_1_5 <= 11 when slice2winner1_best_cost_1_5_is_less else 10;
-      slice2winner1_best_index_1_6 <= 13 when slice2winner1_best_cost_1_6_is_less else 12;
-      slice2winner1_best_index_1_7 <= 15 when slice2winner1_best_cost_1_7_is_less else 14;
-      slice2winner1_best_index_1_8 <= 17 when slice2winner1_best_cost_1_8_is_less else 16;
-      slice2winner1_best_index_1_9 <= 19 when slice2winner1_best_cost_1_9_is_less else 18;
-      slice2winner1_best_index_1_10 <= 21 when slice2winner1_best_cost_1_10_is_less else 20;
-      slice2winner1_best_index_1_11 <= 23 when slice2winner1_best_cost_1_11_is_less else 22;
+      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_of_pair_0_16_is_less := (slice2window_sum_0_17 - slice2window_sum_0_16) < 0;
+      slice2winner1_of_pair_0_18_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
+      slice2winner1_of_pair_0_20_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
+      slice2winner1_of_pair_0_22_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
+      slice2winner1_of_pair_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_of_pair_1_2_is_less := (slice2window_sum_1_3 - slice2window_sum_1_2) < 0;
+      slice2winner1_of_pair_1_4_is_less := (slice2window_sum_1_5 - slice2window_sum_1_4) < 0;
+      slice2winner1_of_pair_1_6_is_less := (slice2window_sum_1_7 - slice2window_sum_1_6) < 0;
+      slice2winner1_of_pair_1_8_is_less := (slice2window_sum_1_9 - slice2window_sum_1_8) < 0;
+      slice2winner1_of_pair_1_10_is_less := (slice2window_sum_1_11 - slice2window_sum_1_10) < 0;
+      slice2winner1_of_pair_1_12_is_less := (slice2window_sum_1_13 - slice2window_sum_1_12) < 0;
+      slice2winner1_of_pair_1_14_is_less := (slice2window_sum_1_15 - slice2window_sum_1_14) < 0;
+      slice2winner1_of_pair_1_16_is_less := (slice2window_sum_1_17 - slice2window_sum_1_16) < 0;
+      slice2winner1_of_pair_1_18_is_less := (slice2window_sum_1_19 - slice2window_sum_1_18) < 0;
+      slice2winner1_of_pair_1_20_is_less := (slice2window_sum_1_21 - slice2window_sum_1_20) < 0;
+      slice2winner1_of_pair_1_22_is_less := (slice2window_sum_1_23 - slice2window_sum_1_22) < 0;
+      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_1, 12))))) < 0;
+      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_5, 12))))) < 0;
+      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_9, 12))))) < 0;
+      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_13, 12))))) < 0;
+      slice2winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_18, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_16, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_17, 12))))) < 0;
+      slice2winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_22, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_20, 12)) or
+        (to_unsigned(slice2winner1_of_pair_0_21, 12))))) < 0;
+      slice2winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_2, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_0, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_1, 12))))) < 0;
+      slice2winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_6, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_4, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_5, 12))))) < 0;
+      slice2winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_10, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_8, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_9, 12))))) < 0;
+      slice2winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_14, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_12, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_13, 12))))) < 0;
+      slice2winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_18, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_16, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_17, 12))))) < 0;
+      slice2winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_1_22, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice2winner1_of_pair_1_20, 12)) or
+        (to_unsigned(slice2winner1_of_pair_1_21, 12))))) < 0;
+      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
+      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
+      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
+      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
+      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
+      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
+      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
+      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
+      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
+      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
+      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
+      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
+      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
+      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
+      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
+      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
+      slice2winner1_of_pair_0_16 <= 0 when slice2winner1_of_pair_0_16_is_less else slice2window_sum_0_16;
+      slice2winner1_of_pair_0_17 <= slice2window_sum_0_17 when slice2winner1_of_pair_0_16_is_less else 0;
+      slice2winner1_of_pair_0_18 <= 0 when slice2winner1_of_pair_0_18_is_less else slice2window_sum_0_18;
+      slice2winner1_of_pair_0_19 <= slice2window_sum_0_19 when slice2winner1_of_pair_0_18_is_less else 0;
+      slice2winner1_of_pair_0_20 <= 0 when slice2winner1_of_pair_0_20_is_less else slice2window_sum_0_20;
+      slice2winner1_of_pair_0_21 <= slice2window_sum_0_21 when slice2winner1_of_pair_0_20_is_less else 0;
+      slice2winner1_of_pair_0_22 <= 0 when slice2winner1_of_pair_0_22_is_less else slice2window_sum_0_22;
+      slice2winner1_of_pair_0_23 <= slice2window_sum_0_23 when slice2winner1_of_pair_0_22_is_less else 0;
+      slice2winner1_of_pair_0_24 <= slice2window_sum_0_24;
+      slice2winner1_of_pair_1_0 <= 0 when slice2winner1_of_pair_1_0_is_less else slice2window_sum_1_0;
+      slice2winner1_of_pair_1_1 <= slice2window_sum_1_1 when slice2winner1_of_pair_1_0_is_less else 0;
+      slice2winner1_of_pair_1_2 <= 0 when slice2winner1_of_pair_1_2_is_less else slice2window_sum_1_2;
+      slice2winner1_of_pair_1_3 <= slice2window_sum_1_3 when slice2winner1_of_pair_1_2_is_less else 0;
+      slice2winner1_of_pair_1_4 <= 0 when slice2winner1_of_pair_1_4_is_less else slice2window_sum_1_4;
+      slice2winner1_of_pair_1_5 <= slice2window_sum_1_5 when slice2winner1_of_pair_1_4_is_less else 0;
+      slice2winner1_of_pair_1_6 <= 0 when slice2winner1_of_pair_1_6_is_less else slice2window_sum_1_6;
+      slice2winner1_of_pair_1_7 <= slice2window_sum_1_7 when slice2winner1_of_pair_1_6_is_less else 0;
+      slice2winner1_of_pair_1_8 <= 0 when slice2winner1_of_pair_1_8_is_less else slice2window_sum_1_8;
+      slice2winner1_of_pair_1_9 <= slice2window_sum_1_9 when slice2winner1_of_pair_1_8_is_less else 0;
+      slice2winner1_of_pair_1_10 <= 0 when slice2winner1_of_pair_1_10_is_less else slice2window_sum_1_10;
+      slice2winner1_of_pair_1_11 <= slice2window_sum_1_11 when slice2winner1_of_pair_1_10_is_less else 0;
+      slice2winner1_of_pair_1_12 <= 0 when slice2winner1_of_pair_1_12_is_less else slice2window_sum_1_12;
+      slice2winner1_of_pair_1_13 <= slice2window_sum_1_13 when slice2winner1_of_pair_1_12_is_less else 0;
+      slice2winner1_of_pair_1_14 <= 0 when slice2winner1_of_pair_1_14_is_less else slice2window_sum_1_14;
+      slice2winner1_of_pair_1_15 <= slice2window_sum_1_15 when slice2winner1_of_pair_1_14_is_less else 0;
+      slice2winner1_of_pair_1_16 <= 0 when slice2winner1_of_pair_1_16_is_less else slice2window_sum_1_16;
+      slice2winner1_of_pair_1_17 <= slice2window_sum_1_17 when slice2winner1_of_pair_1_16_is_less else 0;
+      slice2winner1_of_pair_1_18 <= 0 when slice2winner1_of_pair_1_18_is_less else slice2window_sum_1_18;
+      slice2winner1_of_pair_1_19 <= slice2window_sum_1_19 when slice2winner1_of_pair_1_18_is_less else 0;
+      slice2winner1_of_pair_1_20 <= 0 when slice2winner1_of_pair_1_20_is_less else slice2window_sum_1_20;
+      slice2winner1_of_pair_1_21 <= slice2window_sum_1_21 when slice2winner1_of_pair_1_20_is_less else 0;
+      slice2winner1_of_pair_1_22 <= 0 when slice2winner1_of_pair_1_22_is_less else slice2window_sum_1_22;
+      slice2winner1_of_pair_1_23 <= slice2window_sum_1_23 when slice2winner1_of_pair_1_22_is_less else 0;
+      slice2winner1_of_pair_1_24 <= slice2window_sum_1_24;
+      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
+      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
+      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
+      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
+      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
+      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
+      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
+      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
+      slice2winner1_pair_index_0_8 <= 17 when slice2winner1_of_pair_0_16_is_less else 16;
+      slice2winner1_pair_index_0_9 <= 19 when slice2winner1_of_pair_0_18_is_less else 18;
+      slice2winner1_pair_index_0_10 <= 21 when slice2winner1_of_pair_0_20_is_less else 20;
+      slice2winner1_pair_index_0_11 <= 23 when slice2winner1_of_pair_0_22_is_less else 22;
+      slice2winner1_pair_index_1_0 <= slice2winner1_of_pair_1_0_is_less;
+      slice2winner1_pair_index_1_1 <= 3 when slice2winner1_of_pair_1_2_is_less else 2;
+      slice2winner1_pair_index_1_2 <= 5 when slice2winner1_of_pair_1_4_is_less else 4;
+      slice2winner1_pair_index_1_3 <= 7 when slice2winner1_of_pair_1_6_is_less else 6;
+      slice2winner1_pair_index_1_4 <= 9 when slice2winner1_of_pair_1_8_is_less else 8;
+      slice2winner1_pair_index_1_5 <= 11 when slice2winner1_of_pair_1_10_is_less else 10;
+      slice2winner1_pair_index_1_6 <= 13 when slice2winner1_of_pair_1_12_is_less else 12;
+      slice2winner1_pair_index_1_7 <= 15 when slice2winner1_of_pair_1_14_is_less else 14;
+      slice2winner1_pair_index_1_8 <= 17 when slice2winner1_of_pair_1_16_is_less else 16;
+      slice2winner1_pair_index_1_9 <= 19 when slice2winner1_of_pair_1_18_is_less else 18;
+      slice2winner1_pair_index_1_10 <= 21 when slice2winner1_of_pair_1_20_is_less else 20;
+      slice2winner1_pair_index_1_11 <= 23 when slice2winner1_of_pair_1_22_is_less else 22;
+      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
+      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
+      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
+      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
+      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
+      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
+      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
+      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
+      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
+      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
+      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
+      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
+      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
+      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
+      slice2winner1_of_four_0_16 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_16;
+      slice2winner1_of_four_0_17 <= 0 when slice2winner1_of_four_0_16_is_less else slice2winner1_of_pair_0_17;
+      slice2winner1_of_four_0_18 <= slice2winner1_of_pair_0_18 when slice2winner1_of_four_0_16_is_less else 0;
+      slice2winner1_of_four_0_19 <= slice2winner1_of_pair_0_19 when slice2winner1_of_four_0_16_is_less else 0;
+      slice2winner1_of_four_0_20 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_20;
+      slice2winner1_of_four_0_21 <= 0 when slice2winner1_of_four_0_20_is_less else slice2winner1_of_pair_0_21;
+      slice2winner1_of_four_0_22 <= slice2winner1_of_pair_0_22 when slice2winner1_of_four_0_20_is_less else 0;
+      slice2winner1_of_four_0_23 <= slice2winner1_of_pair_0_23 when slice2winner1_of_four_0_20_is_less else 0;
+      slice2winner1_of_four_0_24 <= slice2winner1_of_pair_0_24;
+      slice2winner1_of_four_1_0 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_0;
+      slice2winner1_of_four_1_1 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_1;
+      slice2winner1_of_four_1_2 <= slice2winner1_of_pair_1_2 when slice2winner1_of_four_1_0_is_less else 0;
+      slice2winner1_of_four_1_3 <= slice2winner1_of_pair_1_3 when slice2winner1_of_four_1_0_is_less else 0;
+      slice2winner1_of_four_1_4 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_4;
+      slice2winner1_of_four_1_5 <= 0 when slice2winner1_of_four_1_4_is_less else slice2winner1_of_pair_1_5;
+      slice2winner1_of_four_1_6 <= slice2winner1_of_pair_1_6 when slice2winner1_of_four_1_4_is_less else 0;
+      slice2winner1_of_four_1_7 <= slice2winner1_of_pair_1_7 when slice2winner1_of_four_1_4_is_less else 0;
+      slice2winner1_of_four_1_8 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_8;
+      slice2winner1_of_four_1_9 <= 0 when slice2winner1_of_four_1_8_is_less else slice2winner1_of_pair_1_9;
+      slice2winner1_of_four_1_10 <= slice2winner1_of_pair_1_10 when slice2winner1_of_four_1_8_is_less else 0;
+      slice2winner1_of_four_1_11 <= slice2winner1_of_pair_1_11 when slice2winner1_of_four_1_8_is_less else 0;
+      slice2winner1_of_four_1_12 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_12;
+      slice2winner1_of_four_1_13 <= 0 when slice2winner1_of_four_1_12_is_less else slice2winner1_of_pair_1_13;
+      slice2winner1_of_four_1_14 <= slice2winner1_of_pair_1_14 when slice2winner1_of_four_1_12_is_less else 0;
+      slice2winner1_of_four_1_15 <= slice2winner1_of_pair_1_15 when slice2winner1_of_four_1_12_is_less else 0;
+      slice2winner1_of_four_1_16 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_16;
+      slice2winner1_of_four_1_17 <= 0 when slice2winner1_of_four_1_16_is_less else slice2winner1_of_pair_1_17;
+      slice2winner1_of_four_1_18 <= slice2winner1_of_pair_1_18 when slice2winner1_of_four_1_16_is_less else 0;
+      slice2winner1_of_four_1_19 <= slice2winner1_of_pair_1_19 when slice2winner1_of_four_1_16_is_less else 0;
+      slice2winner1_of_four_1_20 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_20;
+      slice2winner1_of_four_1_21 <= 0 when slice2winner1_of_four_1_20_is_less else slice2winner1_of_pair_1_21;
+      slice2winner1_of_four_1_22 <= slice2winner1_of_pair_1_22 when slice2winner1_of_four_1_20_is_less else 0;
+      slice2winner1_of_four_1_23 <= slice2winner1_of_pair_1_23 when slice2winner1_of_four_1_20_is_less else 0;
+      slice2winner1_of_four_1_24 <= slice2winner1_of_pair_1_24;
+      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
+        as_number(slice2winner1_pair_index_0_0);
+      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
+        slice2winner1_pair_index_0_2;
+      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
+        slice2winner1_pair_index_0_4;
+      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
+        slice2winner1_pair_index_0_6;
+      slice2winner1_four_index_0_4 <= slice2winner1_pair_index_0_9 when slice2winner1_of_four_0_16_is_less else
+        slice2winner1_pair_index_0_8;
+      slice2winner1_four_index_0_5 <= slice2winner1_pair_index_0_11 when slice2winner1_of_four_0_20_is_less else
+        slice2winner1_pair_index_0_10;
+      slice2winner1_four_index_1_0 <= slice2winner1_pair_index_1_1 when slice2winner1_of_four_1_0_is_less else
+        as_number(slice2winner1_pair_index_1_0);
+      slice2winner1_four_index_1_1 <= slice2winner1_pair_index_1_3 when slice2winner1_of_four_1_4_is_less else
+        slice2winner1_pair_index_1_2;
+      slice2winner1_four_index_1_2 <= slice2winner1_pair_index_1_5 when slice2winner1_of_four_1_8_is_less else
+        slice2winner1_pair_index_1_4;
+      slice2winner1_four_index_1_3 <= slice2winner1_pair_index_1_7 when slice2winner1_of_four_1_12_is_less else
+        slice2winner1_pair_index_1_6;
+      slice2winner1_four_index_1_4 <= slice2winner1_pair_index_1_9 when slice2winner1_of_four_1_16_is_less else
+        slice2winner1_pair_index_1_8;
+      slice2winner1_four_index_1_5 <= slice2winner1_pair_index_1_11 when slice2winner1_of_four_1_20_is_less else
+        slice2winner1_pair_index_1_10;
+      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_3, 12)))) or (to_unsigned(slice2winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_0, 12))));
+      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_7, 12)))) or (to_unsigned(slice2winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_4, 12))));
+      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_11, 12)))) or (to_unsigned(slice2winner1_of_four_0_9, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_8, 12))));
+      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_15, 12)))) or (to_unsigned(slice2winner1_of_four_0_13, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_12, 12))));
+      slice2winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_18, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_19, 12)))) or (to_unsigned(slice2winner1_of_four_0_17, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_16, 12))));
+      slice2winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_22, 12)) or
+        (to_unsigned(slice2winner1_of_four_0_23, 12)))) or (to_unsigned(slice2winner1_of_four_0_21, 12)))) or
+        (to_unsigned(slice2winner1_of_four_0_20, 12))));
+      slice2winner1_best_cost_0_6 <= slice2winner1_of_four_0_24;
+      slice2winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_2, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_3, 12)))) or (to_unsigned(slice2winner1_of_four_1_1, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_0, 12))));
+      slice2winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_6, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_7, 12)))) or (to_unsigned(slice2winner1_of_four_1_5, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_4, 12))));
+      slice2winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_10, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_11, 12)))) or (to_unsigned(slice2winner1_of_four_1_9, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_8, 12))));
+      slice2winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_14, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_15, 12)))) or (to_unsigned(slice2winner1_of_four_1_13, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_12, 12))));
+      slice2winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_18, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_19, 12)))) or (to_unsigned(slice2winner1_of_four_1_17, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_16, 12))));
+      slice2winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice2winner1_of_four_1_22, 12)) or
+        (to_unsigned(slice2winner1_of_four_1_23, 12)))) or (to_unsigned(slice2winner1_of_four_1_21, 12)))) or
+        (to_unsigned(slice2winner1_of_four_1_20, 12))));
+      slice2winner1_best_cost_1_6 <= slice2winner1_of_four_1_24;
+      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
+      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
+      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
+      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
+      slice2winner1_best_index_0_4 <= slice2winner1_four_index_0_4;
+      slice2winner1_best_index_0_5 <= slice2winner1_four_index_0_5;
+      slice2winner1_best_index_1_0 <= slice2winner1_four_index_1_0;
+      slice2winner1_best_index_1_1 <= slice2winner1_four_index_1_1;
+      slice2winner1_best_index_1_2 <= slice2winner1_four_index_1_2;
+      slice2winner1_best_index_1_3 <= slice2winner1_four_index_1_3;
+      slice2winner1_best_index_1_4 <= slice2winner1_four_index_1_4;
+      slice2winner1_best_index_1_5 <= slice2winner1_four_index_1_5;
       -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1_is_less := slice2winner1_best_cost_0_3 < slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2_is_less := slice2winner1_best_cost_0_5 < slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3_is_less := slice2winner1_best_cost_0_7 < slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_4_is_less := slice2winner1_best_cost_0_9 < slice2winner1_best_cost_0_8;
-      slice2winner2_best_cost_0_5_is_less := slice2winner1_best_cost_0_11 < slice2winner1_best_cost_0_10;
-      slice2winner2_best_cost_1_0_is_less := slice2winner1_best_cost_1_1 < slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_1_1_is_less := slice2winner1_best_cost_1_3 < slice2winner1_best_cost_1_2;
-      slice2winner2_best_cost_1_2_is_less := slice2winner1_best_cost_1_5 < slice2winner1_best_cost_1_4;
-      slice2winner2_best_cost_1_3_is_less := slice2winner1_best_cost_1_7 < slice2winner1_best_cost_1_6;
-      slice2winner2_best_cost_1_4_is_less := slice2winner1_best_cost_1_9 < slice2winner1_best_cost_1_8;
-      slice2winner2_best_cost_1_5_is_less := slice2winner1_best_cost_1_11 < slice2winner1_best_cost_1_10;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_cost_0_8;
-      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_cost_0_10;
-      slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
-        slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_1_1 <= slice2winner1_best_cost_1_3 when slice2winner2_best_cost_1_1_is_less else
-        slice2winner1_best_cost_1_2;
-      slice2winner2_best_cost_1_2 <= slice2winner1_best_cost_1_5 when slice2winner2_best_cost_1_2_is_less else
-        slice2winner1_best_cost_1_4;
-      slice2winner2_best_cost_1_3 <= slice2winner1_best_cost_1_7 when slice2winner2_best_cost_1_3_is_less else
-        slice2winner1_best_cost_1_6;
-      slice2winner2_best_cost_1_4 <= slice2winner1_best_cost_1_9 when slice2winner2_best_cost_1_4_is_less else
-        slice2winner1_best_cost_1_8;
-      slice2winner2_best_cost_1_5 <= slice2winner1_best_cost_1_11 when slice2winner2_best_cost_1_5_is_less else
-        slice2winner1_best_cost_1_10;
-      slice2winner2_best_cost_1_6 <= slice2winner1_best_cost_1_12;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
+      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_of_pair_0_4_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
+      slice2winner2_of_pair_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
+      slice2winner2_of_pair_1_2_is_less := (slice2winner1_best_cost_1_3 - slice2winner1_best_cost_1_2) < 0;
+      slice2winner2_of_pair_1_4_is_less := (slice2winner1_best_cost_1_5 - slice2winner1_best_cost_1_4) < 0;
+      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 12)) or
+        (to_unsigned(slice2winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 12)) or
+        (to_unsigned(slice2winner2_of_pair_0_1, 12))))) < 0;
+      slice2winner2_of_four_0_4_is_less := (slice2winner2_of_pair_0_6 -
+        to_integer(((to_unsigned(slice2winner2_of_pair_0_4, 12)) or (to_unsigned(slice2winner2_of_pair_0_5, 12))))) < 0;
+      slice2winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_1_2, 12)) or
+        (to_unsigned(slice2winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice2winner2_of_pair_1_0, 12)) or
+        (to_unsigned(slice2winner2_of_pair_1_1, 12))))) < 0;
+      slice2winner2_of_four_1_4_is_less := (slice2winner2_of_pair_1_6 -
+        to_integer(((to_unsigned(slice2winner2_of_pair_1_4, 12)) or (to_unsigned(slice2winner2_of_pair_1_5, 12))))) < 0;
+      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
+      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
+      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
+      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
+      slice2winner2_of_pair_0_4 <= 0 when slice2winner2_of_pair_0_4_is_less else slice2winner1_best_cost_0_4;
+      slice2winner2_of_pair_0_5 <= slice2winner1_best_cost_0_5 when slice2winner2_of_pair_0_4_is_less else 0;
+      slice2winner2_of_pair_0_6 <= slice2winner1_best_cost_0_6;
+      slice2winner2_of_pair_1_0 <= 0 when slice2winner2_of_pair_1_0_is_less else slice2winner1_best_cost_1_0;
+      slice2winner2_of_pair_1_1 <= slice2winner1_best_cost_1_1 when slice2winner2_of_pair_1_0_is_less else 0;
+      slice2winner2_of_pair_1_2 <= 0 when slice2winner2_of_pair_1_2_is_less else slice2winner1_best_cost_1_2;
+      slice2winner2_of_pair_1_3 <= slice2winner1_best_cost_1_3 when slice2winner2_of_pair_1_2_is_less else 0;
+      slice2winner2_of_pair_1_4 <= 0 when slice2winner2_of_pair_1_4_is_less else slice2winner1_best_cost_1_4;
+      slice2winner2_of_pair_1_5 <= slice2winner1_best_cost_1_5 when slice2winner2_of_pair_1_4_is_less else 0;
+      slice2winner2_of_pair_1_6 <= slice2winner1_best_cost_1_6;
+      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
+        slice2winner1_best_index_0_0;
+      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
+      slice2winner2_pair_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_of_pair_0_4_is_less else
         slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_index_0_8;
-      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_index_0_10;
-      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_best_cost_1_0_is_less else
-        as_number(slice2winner1_best_index_1_0);
-      slice2winner2_best_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_best_cost_1_1_is_less else
+      slice2winner2_pair_index_1_0 <= slice2winner1_best_index_1_1 when slice2winner2_of_pair_1_0_is_less else
+        slice2winner1_best_index_1_0;
+      slice2winner2_pair_index_1_1 <= slice2winner1_best_index_1_3 when slice2winner2_of_pair_1_2_is_less else
         slice2winner1_best_index_1_2;
-      slice2winner2_best_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_best_cost_1_2_is_less else
+      slice2winner2_pair_index_1_2 <= slice2winner1_best_index_1_5 when slice2winner2_of_pair_1_4_is_less else
         slice2winner1_best_index_1_4;
-      slice2winner2_best_index_1_3 <= slice2winner1_best_index_1_7 when slice2winner2_best_cost_1_3_is_less else
-        slice2winner1_best_index_1_6;
-      slice2winner2_best_index_1_4 <= slice2winner1_best_index_1_9 when slice2winner2_best_cost_1_4_is_less else
-        slice2winner1_best_index_1_8;
-      slice2winner2_best_index_1_5 <= slice2winner1_best_index_1_11 when slice2winner2_best_cost_1_5_is_less else
-        slice2winner1_best_index_1_10;
+      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
+      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
+      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
+      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
+      slice2winner2_of_four_0_4 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_4;
+      slice2winner2_of_four_0_5 <= 0 when slice2winner2_of_four_0_4_is_less else slice2winner2_of_pair_0_5;
+      slice2winner2_of_four_0_6 <= slice2winner2_of_pair_0_6 when slice2winner2_of_four_0_4_is_less else 0;
+      slice2winner2_of_four_1_0 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_0;
+      slice2winner2_of_four_1_1 <= 0 when slice2winner2_of_four_1_0_is_less else slice2winner2_of_pair_1_1;
+      slice2winner2_of_four_1_2 <= slice2winner2_of_pair_1_2 when slice2winner2_of_four_1_0_is_less else 0;
+      slice2winner2_of_four_1_3 <= slice2winner2_of_pair_1_3 when slice2winner2_of_four_1_0_is_less else 0;
+      slice2winner2_of_four_1_4 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_4;
+      slice2winner2_of_four_1_5 <= 0 when slice2winner2_of_four_1_4_is_less else slice2winner2_of_pair_1_5;
+      slice2winner2_of_four_1_6 <= slice2winner2_of_pair_1_6 when slice2winner2_of_four_1_4_is_less else 0;
+      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
+        slice2winner2_pair_index_0_0;
+      slice2winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_0_4_is_less else
+        slice2winner2_pair_index_0_2;
+      slice2winner2_four_index_1_0 <= slice2winner2_pair_index_1_1 when slice2winner2_of_four_1_0_is_less else
+        slice2winner2_pair_index_1_0;
+      slice2winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice2winner2_of_four_1_4_is_less else
+        slice2winner2_pair_index_1_2;
+      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 12)) or
+        (to_unsigned(slice2winner2_of_four_0_3, 12)))) or (to_unsigned(slice2winner2_of_four_0_1, 12)))) or
+        (to_unsigned(slice2winner2_of_four_0_0, 12))));
+      slice2winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_0_5, 12)) or
+        (to_unsigned(slice2winner2_of_four_0_6, 12)))) or (to_unsigned(slice2winner2_of_four_0_4, 12))));
+      slice2winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_1_2, 12)) or
+        (to_unsigned(slice2winner2_of_four_1_3, 12)))) or (to_unsigned(slice2winner2_of_four_1_1, 12)))) or
+        (to_unsigned(slice2winner2_of_four_1_0, 12))));
+      slice2winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice2winner2_of_four_1_5, 12)) or
+        (to_unsigned(slice2winner2_of_four_1_6, 12)))) or (to_unsigned(slice2winner2_of_four_1_4, 12))));
+      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
+      slice2winner2_best_index_0_1 <= slice2winner2_four_index_0_1;
+      slice2winner2_best_index_1_0 <= slice2winner2_four_index_1_0;
+      slice2winner2_best_index_1_1 <= slice2winner2_four_index_1_1;
       -- slice2winner3
-      slice2winner3_best_cost_0_0_is_less := slice2winner2_best_cost_0_1 < slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1_is_less := slice2winner2_best_cost_0_3 < slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_2_is_less := slice2winner2_best_cost_0_5 < slice2winner2_best_cost_0_4;
-      slice2winner3_best_cost_1_0_is_less := slice2winner2_best_cost_1_1 < slice2winner2_best_cost_1_0;
-      slice2winner3_best_cost_1_1_is_less := slice2winner2_best_cost_1_3 < slice2winner2_best_cost_1_2;
-      slice2winner3_best_cost_1_2_is_less := slice2winner2_best_cost_1_5 < slice2winner2_best_cost_1_4;
+      slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
+      slice2winner3_best_cost_1_0_is_less := (slice2winner2_best_cost_1_1 - slice2winner2_best_cost_1_0) < 0;
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_cost_0_4;
-      slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
       slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_cost_1_0;
-      slice2winner3_best_cost_1_1 <= slice2winner2_best_cost_1_3 when slice2winner3_best_cost_1_1_is_less else
-        slice2winner2_best_cost_1_2;
-      slice2winner3_best_cost_1_2 <= slice2winner2_best_cost_1_5 when slice2winner3_best_cost_1_2_is_less else
-        slice2winner2_best_cost_1_4;
-      slice2winner3_best_cost_1_3 <= slice2winner2_best_cost_1_6;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
         slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_index_0_4;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_1 when slice2winner3_best_cost_1_0_is_less else
         slice2winner2_best_index_1_0;
-      slice2winner3_best_index_1_1 <= slice2winner2_best_index_1_3 when slice2winner3_best_cost_1_1_is_less else
-        slice2winner2_best_index_1_2;
-      slice2winner3_best_index_1_2 <= slice2winner2_best_index_1_5 when slice2winner3_best_cost_1_2_is_less else
-        slice2winner2_best_index_1_4;
-      -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := slice2winner3_best_cost_0_1 < slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_1_is_less := slice2winner3_best_cost_0_3 < slice2winner3_best_cost_0_2;
-      slice2winner4_best_cost_1_0_is_less := slice2winner3_best_cost_1_1 < slice2winner3_best_cost_1_0;
-      slice2winner4_best_cost_1_1_is_less := slice2winner3_best_cost_1_3 < slice2winner3_best_cost_1_2;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_cost_0_2;
-      slice2winner4_best_cost_1_0 <= slice2winner3_best_cost_1_1 when slice2winner4_best_cost_1_0_is_less else
-        slice2winner3_best_cost_1_0;
-      slice2winner4_best_cost_1_1 <= slice2winner3_best_cost_1_3 when slice2winner4_best_cost_1_1_is_less else
-        slice2winner3_best_cost_1_2;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
-      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_index_0_2;
-      slice2winner4_best_index_1_0 <= slice2winner3_best_index_1_1 when slice2winner4_best_cost_1_0_is_less else
-        slice2winner3_best_index_1_0;
-      slice2winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_1_1_is_less else
-        slice2winner3_best_index_1_2;
-      -- slice2winner5
-      slice2winner5_best_cost_0_0_is_less := slice2winner4_best_cost_0_1 < slice2winner4_best_cost_0_0;
-      slice2winner5_best_cost_1_0_is_less := slice2winner4_best_cost_1_1 < slice2winner4_best_cost_1_0;
-      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_cost_0_0;
-      slice2winner5_best_cost_1_0 <= slice2winner4_best_cost_1_1 when slice2winner5_best_cost_1_0_is_less else
-        slice2winner4_best_cost_1_0;
-      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0;
-      slice2winner5_best_index_1_0 <= slice2winner4_best_index_1_1 when slice2winner5_best_cost_1_0_is_less else
-        slice2winner4_best_index_1_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice1_best_cost_0_0 < slice2winner5_best_cost_0_0;
-      slice2_best_cost_1_0_is_less := slice1_best_cost_1_0 < slice2winner5_best_cost_1_0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner5_best_cost_1_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner3_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice2winner3_best_cost_1_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner5_best_index_0_0 + 25;
+        slice2winner3_best_index_0_0 + 25;
       slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_cost_1_0_is_less else
-        slice2winner5_best_index_1_0 + 25;
+        slice2winner3_best_index_1_0 + 25;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -4413,256 +6329,580 @@ begin
       slice3shift_reference_2 <= slice2shift_reference_2;
       slice3shift_reference_3 <= slice2shift_reference_3;
       -- slice3cost
-      slice3cost_pair_0_0_choice := slice3cost_reverse_0_0 when slice3cost_difference_2_0 < 0 else
-        positive_part(slice3cost_difference_2_0);
-      slice3cost_pair_0_1_choice := slice3cost_reverse_0_1 when slice3cost_difference_2_1 < 0 else
-        positive_part(slice3cost_difference_2_1);
-      slice3cost_pair_0_2_choice := slice3cost_reverse_0_2 when slice3cost_difference_2_2 < 0 else
-        positive_part(slice3cost_difference_2_2);
-      slice3cost_pair_0_3_choice := slice3cost_reverse_0_3 when slice3cost_difference_2_3 < 0 else
-        positive_part(slice3cost_difference_2_3);
-      slice3cost_pair_0_4_choice := slice3cost_reverse_0_4 when slice3cost_difference_2_4 < 0 else
-        positive_part(slice3cost_difference_2_4);
-      slice3cost_pair_0_5_choice := slice3cost_reverse_0_5 when slice3cost_difference_2_5 < 0 else
-        positive_part(slice3cost_difference_2_5);
-      slice3cost_pair_0_6_choice := slice3cost_reverse_0_6 when slice3cost_difference_2_6 < 0 else
-        positive_part(slice3cost_difference_2_6);
-      slice3cost_pair_0_7_choice := slice3cost_reverse_0_7 when slice3cost_difference_2_7 < 0 else
-        positive_part(slice3cost_difference_2_7);
-      slice3cost_pair_0_8_choice := slice3cost_reverse_0_8 when slice3cost_difference_2_8 < 0 else
-        positive_part(slice3cost_difference_2_8);
-      slice3cost_pair_0_9_choice := slice3cost_reverse_0_9 when slice3cost_difference_2_9 < 0 else
-        positive_part(slice3cost_difference_2_9);
-      slice3cost_pair_0_10_choice := slice3cost_reverse_0_10 when slice3cost_difference_2_10 < 0 else
-        positive_part(slice3cost_difference_2_10);
-      slice3cost_pair_0_11_choice := slice3cost_reverse_0_11 when slice3cost_difference_2_11 < 0 else
-        positive_part(slice3cost_difference_2_11);
-      slice3cost_pair_0_12_choice := slice3cost_reverse_0_12 when slice3cost_difference_2_12 < 0 else
-        positive_part(slice3cost_difference_2_12);
-      slice3cost_pair_0_13_choice := slice3cost_reverse_0_13 when slice3cost_difference_2_13 < 0 else
-        positive_part(slice3cost_difference_2_13);
-      slice3cost_pair_0_14_choice := slice3cost_reverse_0_14 when slice3cost_difference_2_14 < 0 else
-        positive_part(slice3cost_difference_2_14);
-      slice3cost_pair_0_15_choice := slice3cost_reverse_0_15 when slice3cost_difference_2_15 < 0 else
-        positive_part(slice3cost_difference_2_15);
-      slice3cost_pair_0_16_choice := slice3cost_reverse_0_16 when slice3cost_difference_2_16 < 0 else
-        positive_part(slice3cost_difference_2_16);
-      slice3cost_pair_0_17_choice := slice3cost_reverse_0_17 when slice3cost_difference_2_17 < 0 else
-        positive_part(slice3cost_difference_2_17);
-      slice3cost_pair_0_18_choice := slice3cost_reverse_0_18 when slice3cost_difference_2_18 < 0 else
-        positive_part(slice3cost_difference_2_18);
-      slice3cost_pair_0_19_choice := slice3cost_reverse_0_19 when slice3cost_difference_2_19 < 0 else
-        positive_part(slice3cost_difference_2_19);
-      slice3cost_pair_0_20_choice := slice3cost_reverse_0_20 when slice3cost_difference_2_20 < 0 else
-        positive_part(slice3cost_difference_2_20);
-      slice3cost_pair_0_21_choice := slice3cost_reverse_0_21 when slice3cost_difference_2_21 < 0 else
-        positive_part(slice3cost_difference_2_21);
-      slice3cost_pair_0_22_choice := slice3cost_reverse_0_22 when slice3cost_difference_2_22 < 0 else
-        positive_part(slice3cost_difference_2_22);
-      slice3cost_pair_0_23_choice := slice3cost_reverse_0_23 when slice3cost_difference_2_23 < 0 else
-        positive_part(slice3cost_difference_2_23);
-      slice3cost_pair_0_24_choice := slice3cost_reverse_0_24 when slice3cost_difference_2_24 < 0 else
-        positive_part(slice3cost_difference_2_24);
-      slice3cost_difference_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
-      slice3cost_difference_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
-      slice3cost_difference_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
-      slice3cost_difference_0_3 <= slice3shift_search_0_3 - slice3shift_reference_0;
-      slice3cost_difference_0_4 <= slice3shift_search_0_4 - slice3shift_reference_0;
-      slice3cost_difference_0_5 <= slice3shift_search_0_5 - slice3shift_reference_0;
-      slice3cost_difference_0_6 <= slice3shift_search_0_6 - slice3shift_reference_0;
-      slice3cost_difference_0_7 <= slice3shift_search_0_7 - slice3shift_reference_0;
-      slice3cost_difference_0_8 <= slice3shift_search_0_8 - slice3shift_reference_0;
-      slice3cost_difference_0_9 <= slice3shift_search_0_9 - slice3shift_reference_0;
-      slice3cost_difference_0_10 <= slice3shift_search_0_10 - slice3shift_reference_0;
-      slice3cost_difference_0_11 <= slice3shift_search_0_11 - slice3shift_reference_0;
-      slice3cost_difference_0_12 <= slice3shift_search_0_12 - slice3shift_reference_0;
-      slice3cost_difference_0_13 <= slice3shift_search_0_13 - slice3shift_reference_0;
-      slice3cost_difference_0_14 <= slice3shift_search_0_14 - slice3shift_reference_0;
-      slice3cost_difference_0_15 <= slice3shift_search_0_15 - slice3shift_reference_0;
-      slice3cost_difference_0_16 <= slice3shift_search_0_16 - slice3shift_reference_0;
-      slice3cost_difference_0_17 <= slice3shift_search_0_17 - slice3shift_reference_0;
-      slice3cost_difference_0_18 <= slice3shift_search_0_18 - slice3shift_reference_0;
-      slice3cost_difference_0_19 <= slice3shift_search_0_19 - slice3shift_reference_0;
-      slice3cost_difference_0_20 <= slice3shift_search_0_20 - slice3shift_reference_0;
-      slice3cost_difference_0_21 <= slice3shift_search_0_21 - slice3shift_reference_0;
-      slice3cost_difference_0_22 <= slice3shift_search_0_22 - slice3shift_reference_0;
-      slice3cost_difference_0_23 <= slice3shift_search_0_23 - slice3shift_reference_0;
-      slice3cost_difference_0_24 <= slice3shift_search_0_24 - slice3shift_reference_0;
-      slice3cost_difference_1_0 <= slice3shift_search_1_0 - slice3shift_reference_1;
-      slice3cost_difference_1_1 <= slice3shift_search_1_1 - slice3shift_reference_1;
-      slice3cost_difference_1_2 <= slice3shift_search_1_2 - slice3shift_reference_1;
-      slice3cost_difference_1_3 <= slice3shift_search_1_3 - slice3shift_reference_1;
-      slice3cost_difference_1_4 <= slice3shift_search_1_4 - slice3shift_reference_1;
-      slice3cost_difference_1_5 <= slice3shift_search_1_5 - slice3shift_reference_1;
-      slice3cost_difference_1_6 <= slice3shift_search_1_6 - slice3shift_reference_1;
-      slice3cost_difference_1_7 <= slice3shift_search_1_7 - slice3shift_reference_1;
-      slice3cost_difference_1_8 <= slice3shift_search_1_8 - slice3shift_reference_1;
-      slice3cost_difference_1_9 <= slice3shift_search_1_9 - slice3shift_reference_1;
-      slice3cost_difference_1_10 <= slice3shift_search_1_10 - slice3shift_reference_1;
-      slice3cost_difference_1_11 <= slice3shift_search_1_11 - slice3shift_reference_1;
-      slice3cost_difference_1_12 <= slice3shift_search_1_12 - slice3shift_reference_1;
-      slice3cost_difference_1_13 <= slice3shift_search_1_13 - slice3shift_reference_1;
-      slice3cost_difference_1_14 <= slice3shift_search_1_14 - slice3shift_reference_1;
-      slice3cost_difference_1_15 <= slice3shift_search_1_15 - slice3shift_reference_1;
-      slice3cost_difference_1_16 <= slice3shift_search_1_16 - slice3shift_reference_1;
-      slice3cost_difference_1_17 <= slice3shift_search_1_17 - slice3shift_reference_1;
-      slice3cost_difference_1_18 <= slice3shift_search_1_18 - slice3shift_reference_1;
-      slice3cost_difference_1_19 <= slice3shift_search_1_19 - slice3shift_reference_1;
-      slice3cost_difference_1_20 <= slice3shift_search_1_20 - slice3shift_reference_1;
-      slice3cost_difference_1_21 <= slice3shift_search_1_21 - slice3shift_reference_1;
-      slice3cost_difference_1_22 <= slice3shift_search_1_22 - slice3shift_reference_1;
-      slice3cost_difference_1_23 <= slice3shift_search_1_23 - slice3shift_reference_1;
-      slice3cost_difference_1_24 <= slice3shift_search_1_24 - slice3shift_reference_1;
-      slice3cost_difference_2_0 <= slice3shift_search_2_0 - slice3shift_reference_2;
-      slice3cost_difference_2_1 <= slice3shift_search_2_1 - slice3shift_reference_2;
-      slice3cost_difference_2_2 <= slice3shift_search_2_2 - slice3shift_reference_2;
-      slice3cost_difference_2_3 <= slice3shift_search_2_3 - slice3shift_reference_2;
-      slice3cost_difference_2_4 <= slice3shift_search_2_4 - slice3shift_reference_2;
-      slice3cost_difference_2_5 <= slice3shift_search_2_5 - slice3shift_reference_2;
-      slice3cost_difference_2_6 <= slice3shift_search_2_6 - slice3shift_reference_2;
-      slice3cost_difference_2_7 <= slice3shift_search_2_7 - slice3shift_reference_2;
-      slice3cost_difference_2_8 <= slice3shift_search_2_8 - slice3shift_reference_2;
-      slice3cost_difference_2_9 <= slice3shift_search_2_9 - slice3shift_reference_2;
-      slice3cost_difference_2_10 <= slice3shift_search_2_10 - slice3shift_reference_2;
-      slice3cost_difference_2_11 <= slice3shift_search_2_11 - slice3shift_reference_2;
-      slice3cost_difference_2_12 <= slice3shift_search_2_12 - slice3shift_reference_2;
-      slice3cost_difference_2_13 <= slice3shift_search_2_13 - slice3shift_reference_2;
-      slice3cost_difference_2_14 <= slice3shift_search_2_14 - slice3shift_reference_2;
-      slice3cost_difference_2_15 <= slice3shift_search_2_15 - slice3shift_reference_2;
-      slice3cost_difference_2_16 <= slice3shift_search_2_16 - slice3shift_reference_2;
-      slice3cost_difference_2_17 <= slice3shift_search_2_17 - slice3shift_reference_2;
-      slice3cost_difference_2_18 <= slice3shift_search_2_18 - slice3shift_reference_2;
-      slice3cost_difference_2_19 <= slice3shift_search_2_19 - slice3shift_reference_2;
-      slice3cost_difference_2_20 <= slice3shift_search_2_20 - slice3shift_reference_2;
-      slice3cost_difference_2_21 <= slice3shift_search_2_21 - slice3shift_reference_2;
-      slice3cost_difference_2_22 <= slice3shift_search_2_22 - slice3shift_reference_2;
-      slice3cost_difference_2_23 <= slice3shift_search_2_23 - slice3shift_reference_2;
-      slice3cost_difference_2_24 <= slice3shift_search_2_24 - slice3shift_reference_2;
-      slice3cost_difference_3_0 <= slice3shift_search_3_0 - slice3shift_reference_3;
-      slice3cost_difference_3_1 <= slice3shift_search_3_1 - slice3shift_reference_3;
-      slice3cost_difference_3_2 <= slice3shift_search_3_2 - slice3shift_reference_3;
-      slice3cost_difference_3_3 <= slice3shift_search_3_3 - slice3shift_reference_3;
-      slice3cost_difference_3_4 <= slice3shift_search_3_4 - slice3shift_reference_3;
-      slice3cost_difference_3_5 <= slice3shift_search_3_5 - slice3shift_reference_3;
-      slice3cost_difference_3_6 <= slice3shift_search_3_6 - slice3shift_reference_3;
-      slice3cost_difference_3_7 <= slice3shift_search_3_7 - slice3shift_reference_3;
-      slice3cost_difference_3_8 <= slice3shift_search_3_8 - slice3shift_reference_3;
-      slice3cost_difference_3_9 <= slice3shift_search_3_9 - slice3shift_reference_3;
-      slice3cost_difference_3_10 <= slice3shift_search_3_10 - slice3shift_reference_3;
-      slice3cost_difference_3_11 <= slice3shift_search_3_11 - slice3shift_reference_3;
-      slice3cost_difference_3_12 <= slice3shift_search_3_12 - slice3shift_reference_3;
-      slice3cost_difference_3_13 <= slice3shift_search_3_13 - slice3shift_reference_3;
-      slice3cost_difference_3_14 <= slice3shift_search_3_14 - slice3shift_reference_3;
-      slice3cost_difference_3_15 <= slice3shift_search_3_15 - slice3shift_reference_3;
-      slice3cost_difference_3_16 <= slice3shift_search_3_16 - slice3shift_reference_3;
-      slice3cost_difference_3_17 <= slice3shift_search_3_17 - slice3shift_reference_3;
-      slice3cost_difference_3_18 <= slice3shift_search_3_18 - slice3shift_reference_3;
-      slice3cost_difference_3_19 <= slice3shift_search_3_19 - slice3shift_reference_3;
-      slice3cost_difference_3_20 <= slice3shift_search_3_20 - slice3shift_reference_3;
-      slice3cost_difference_3_21 <= slice3shift_search_3_21 - slice3shift_reference_3;
-      slice3cost_difference_3_22 <= slice3shift_search_3_22 - slice3shift_reference_3;
-      slice3cost_difference_3_23 <= slice3shift_search_3_23 - slice3shift_reference_3;
-      slice3cost_difference_3_24 <= slice3shift_search_3_24 - slice3shift_reference_3;
-      slice3cost_reverse_0_0 <= (slice3shift_reference_2 - slice3shift_search_2_0) mod 256;
-      slice3cost_reverse_0_1 <= (slice3shift_reference_2 - slice3shift_search_2_1) mod 256;
-      slice3cost_reverse_0_2 <= (slice3shift_reference_2 - slice3shift_search_2_2) mod 256;
-      slice3cost_reverse_0_3 <= (slice3shift_reference_2 - slice3shift_search_2_3) mod 256;
-      slice3cost_reverse_0_4 <= (slice3shift_reference_2 - slice3shift_search_2_4) mod 256;
-      slice3cost_reverse_0_5 <= (slice3shift_reference_2 - slice3shift_search_2_5) mod 256;
-      slice3cost_reverse_0_6 <= (slice3shift_reference_2 - slice3shift_search_2_6) mod 256;
-      slice3cost_reverse_0_7 <= (slice3shift_reference_2 - slice3shift_search_2_7) mod 256;
-      slice3cost_reverse_0_8 <= (slice3shift_reference_2 - slice3shift_search_2_8) mod 256;
-      slice3cost_reverse_0_9 <= (slice3shift_reference_2 - slice3shift_search_2_9) mod 256;
-      slice3cost_reverse_0_10 <= (slice3shift_reference_2 - slice3shift_search_2_10) mod 256;
-      slice3cost_reverse_0_11 <= (slice3shift_reference_2 - slice3shift_search_2_11) mod 256;
-      slice3cost_reverse_0_12 <= (slice3shift_reference_2 - slice3shift_search_2_12) mod 256;
-      slice3cost_reverse_0_13 <= (slice3shift_reference_2 - slice3shift_search_2_13) mod 256;
-      slice3cost_reverse_0_14 <= (slice3shift_reference_2 - slice3shift_search_2_14) mod 256;
-      slice3cost_reverse_0_15 <= (slice3shift_reference_2 - slice3shift_search_2_15) mod 256;
-      slice3cost_reverse_0_16 <= (slice3shift_reference_2 - slice3shift_search_2_16) mod 256;
-      slice3cost_reverse_0_17 <= (slice3shift_reference_2 - slice3shift_search_2_17) mod 256;
-      slice3cost_reverse_0_18 <= (slice3shift_reference_2 - slice3shift_search_2_18) mod 256;
-      slice3cost_reverse_0_19 <= (slice3shift_reference_2 - slice3shift_search_2_19) mod 256;
-      slice3cost_reverse_0_20 <= (slice3shift_reference_2 - slice3shift_search_2_20) mod 256;
-      slice3cost_reverse_0_21 <= (slice3shift_reference_2 - slice3shift_search_2_21) mod 256;
-      slice3cost_reverse_0_22 <= (slice3shift_reference_2 - slice3shift_search_2_22) mod 256;
-      slice3cost_reverse_0_23 <= (slice3shift_reference_2 - slice3shift_search_2_23) mod 256;
-      slice3cost_reverse_0_24 <= (slice3shift_reference_2 - slice3shift_search_2_24) mod 256;
-      slice3cost_pair_0_0 <= slice3cost_pair_0_0_choice + folded(slice3cost_difference_1_0) +
-        as_number((slice3cost_difference_1_0 < 0));
-      slice3cost_pair_0_1 <= slice3cost_pair_0_1_choice + folded(slice3cost_difference_1_1) +
-        as_number((slice3cost_difference_1_1 < 0));
-      slice3cost_pair_0_2 <= slice3cost_pair_0_2_choice + folded(slice3cost_difference_1_2) +
-        as_number((slice3cost_difference_1_2 < 0));
-      slice3cost_pair_0_3 <= slice3cost_pair_0_3_choice + folded(slice3cost_difference_1_3) +
-        as_number((slice3cost_difference_1_3 < 0));
-      slice3cost_pair_0_4 <= slice3cost_pair_0_4_choice + folded(slice3cost_difference_1_4) +
-        as_number((slice3cost_difference_1_4 < 0));
-      slice3cost_pair_0_5 <= slice3cost_pair_0_5_choice + folded(slice3cost_difference_1_5) +
-        as_number((slice3cost_difference_1_5 < 0));
-      slice3cost_pair_0_6 <= slice3cost_pair_0_6_choice + folded(slice3cost_difference_1_6) +
-        as_number((slice3cost_difference_1_6 < 0));
-      slice3cost_pair_0_7 <= slice3cost_pair_0_7_choice + folded(slice3cost_difference_1_7) +
-        as_number((slice3cost_difference_1_7 < 0));
-      slice3cost_pair_0_8 <= slice3cost_pair_0_8_choice + folded(slice3cost_difference_1_8) +
-        as_number((slice3cost_difference_1_8 < 0));
-      slice3cost_pair_0_9 <= slice3cost_pair_0_9_choice + folded(slice3cost_difference_1_9) +
-        as_number((slice3cost_difference_1_9 < 0));
-      slice3cost_pair_0_10 <= slice3cost_pair_0_10_choice + folded(slice3cost_difference_1_10) +
-        as_number((slice3cost_difference_1_10 < 0));
-      slice3cost_pair_0_11 <= slice3cost_pair_0_11_choice + folded(slice3cost_difference_1_11) +
-        as_number((slice3cost_difference_1_11 < 0));
-      slice3cost_pair_0_12 <= slice3cost_pair_0_12_choice + folded(slice3cost_difference_1_12) +
-        as_number((slice3cost_difference_1_12 < 0));
-      slice3cost_pair_0_13 <= slice3cost_pair_0_13_choice + folded(slice3cost_difference_1_13) +
-        as_number((slice3cost_difference_1_13 < 0));
-      slice3cost_pair_0_14 <= slice3cost_pair_0_14_choice + folded(slice3cost_difference_1_14) +
-        as_number((slice3cost_difference_1_14 < 0));
-      slice3cost_pair_0_15 <= slice3cost_pair_0_15_choice + folded(slice3cost_difference_1_15) +
-        as_number((slice3cost_difference_1_15 < 0));
-      slice3cost_pair_0_16 <= slice3cost_pair_0_16_choice + folded(slice3cost_difference_1_16) +
-        as_number((slice3cost_difference_1_16 < 0));
-      slice3cost_pair_0_17 <= slice3cost_pair_0_17_choice + folded(slice3cost_difference_1_17) +
-        as_number((slice3cost_difference_1_17 < 0));
-      slice3cost_pair_0_18 <= slice3cost_pair_0_18_choice + folded(slice3cost_difference_1_18) +
-        as_number((slice3cost_difference_1_18 < 0));
-      slice3cost_pair_0_19 <= slice3cost_pair_0_19_choice + folded(slice3cost_difference_1_19) +
-        as_number((slice3cost_difference_1_19 < 0));
-      slice3cost_pair_0_20 <= slice3cost_pair_0_20_choice + folded(slice3cost_difference_1_20) +
-        as_number((slice3cost_difference_1_20 < 0));
-      slice3cost_pair_0_21 <= slice3cost_pair_0_21_choice + folded(slice3cost_difference_1_21) +
-        as_number((slice3cost_difference_1_21 < 0));
-      slice3cost_pair_0_22 <= slice3cost_pair_0_22_choice + folded(slice3cost_difference_1_22) +
-        as_number((slice3cost_difference_1_22 < 0));
-      slice3cost_pair_0_23 <= slice3cost_pair_0_23_choice + folded(slice3cost_difference_1_23) +
-        as_number((slice3cost_difference_1_23 < 0));
-      slice3cost_pair_0_24 <= slice3cost_pair_0_24_choice + folded(slice3cost_difference_1_24) +
-        as_number((slice3cost_difference_1_24 < 0));
-      slice3cost_single_0_0 <= folded(slice3cost_difference_0_0);
-      slice3cost_single_0_1 <= folded(slice3cost_difference_0_1);
-      slice3cost_single_0_2 <= folded(slice3cost_difference_0_2);
-      slice3cost_single_0_3 <= folded(slice3cost_difference_0_3);
-      slice3cost_single_0_4 <= folded(slice3cost_difference_0_4);
-      slice3cost_single_0_5 <= folded(slice3cost_difference_0_5);
-      slice3cost_single_0_6 <= folded(slice3cost_difference_0_6);
-      slice3cost_single_0_7 <= folded(slice3cost_difference_0_7);
-      slice3cost_single_0_8 <= folded(slice3cost_difference_0_8);
-      slice3cost_single_0_9 <= folded(slice3cost_difference_0_9);
-      slice3cost_single_0_10 <= folded(slice3cost_difference_0_10);
-      slice3cost_single_0_11 <= folded(slice3cost_difference_0_11);
-      slice3cost_single_0_12 <= folded(slice3cost_difference_0_12);
-      slice3cost_single_0_13 <= folded(slice3cost_difference_0_13);
-      slice3cost_single_0_14 <= folded(slice3cost_difference_0_14);
-      slice3cost_single_0_15 <= folded(slice3cost_difference_0_15);
-      slice3cost_single_0_16 <= folded(slice3cost_difference_0_16);
-      slice3cost_single_0_17 <= folded(slice3cost_difference_0_17);
-      slice3cost_single_0_18 <= folded(slice3cost_difference_0_18);
-      slice3cost_single_0_19 <= folded(slice3cost_difference_0_19);
-      slice3cost_single_0_20 <= folded(slice3cost_difference_0_20);
-      slice3cost_single_0_21 <= folded(slice3cost_difference_0_21);
-      slice3cost_single_0_22 <= folded(slice3cost_difference_0_22);
-      slice3cost_single_0_23 <= folded(slice3cost_difference_0_23);
-      slice3cost_single_0_24 <= folded(slice3cost_difference_0_24);
+      slice3cost_difference_0_0_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
+        slice3shift_search_0_0;
+      slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
+        slice3shift_reference_0;
+      slice3cost_difference_0_1_value := ((slice3cost_signs_ready_words_0 / 2) mod 2) = 1;
+      slice3cost_difference_0_1_choice := slice3shift_reference_0 when slice3cost_difference_0_1_value else
+        slice3shift_search_0_1;
+      slice3cost_difference_0_1_choice_2 := slice3shift_search_0_1 when slice3cost_difference_0_1_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_2_value := ((slice3cost_signs_ready_words_0 / 4) mod 2) = 1;
+      slice3cost_difference_0_2_choice := slice3shift_reference_0 when slice3cost_difference_0_2_value else
+        slice3shift_search_0_2;
+      slice3cost_difference_0_2_choice_2 := slice3shift_search_0_2 when slice3cost_difference_0_2_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_3_value := ((slice3cost_signs_ready_words_0 / 8) mod 2) = 1;
+      slice3cost_difference_0_3_choice := slice3shift_reference_0 when slice3cost_difference_0_3_value else
+        slice3shift_search_0_3;
+      slice3cost_difference_0_3_choice_2 := slice3shift_search_0_3 when slice3cost_difference_0_3_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_4_value := ((slice3cost_signs_ready_words_0 / 16) mod 2) = 1;
+      slice3cost_difference_0_4_choice := slice3shift_reference_0 when slice3cost_difference_0_4_value else
+        slice3shift_search_0_4;
+      slice3cost_difference_0_4_choice_2 := slice3shift_search_0_4 when slice3cost_difference_0_4_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_5_value := ((slice3cost_signs_ready_words_0 / 32) mod 2) = 1;
+      slice3cost_difference_0_5_choice := slice3shift_reference_0 when slice3cost_difference_0_5_value else
+        slice3shift_search_0_5;
+      slice3cost_difference_0_5_choice_2 := slice3shift_search_0_5 when slice3cost_difference_0_5_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_6_value := ((slice3cost_signs_ready_words_0 / 64) mod 2) = 1;
+      slice3cost_difference_0_6_choice := slice3shift_reference_0 when slice3cost_difference_0_6_value else
+        slice3shift_search_0_6;
+      slice3cost_difference_0_6_choice_2 := slice3shift_search_0_6 when slice3cost_difference_0_6_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_7_value := ((slice3cost_signs_ready_words_0 / 128) mod 2) = 1;
+      slice3cost_difference_0_7_choice := slice3shift_reference_0 when slice3cost_difference_0_7_value else
+        slice3shift_search_0_7;
+      slice3cost_difference_0_7_choice_2 := slice3shift_search_0_7 when slice3cost_difference_0_7_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_8_value := ((slice3cost_signs_ready_words_0 / 256) mod 2) = 1;
+      slice3cost_difference_0_8_choice := slice3shift_reference_0 when slice3cost_difference_0_8_value else
+        slice3shift_search_0_8;
+      slice3cost_difference_0_8_choice_2 := slice3shift_search_0_8 when slice3cost_difference_0_8_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_9_value := ((slice3cost_signs_ready_words_0 / 512) mod 2) = 1;
+      slice3cost_difference_0_9_choice := slice3shift_reference_0 when slice3cost_difference_0_9_value else
+        slice3shift_search_0_9;
+      slice3cost_difference_0_9_choice_2 := slice3shift_search_0_9 when slice3cost_difference_0_9_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_10_value := ((slice3cost_signs_ready_words_0 / 1024) mod 2) = 1;
+      slice3cost_difference_0_10_choice := slice3shift_reference_0 when slice3cost_difference_0_10_value else
+        slice3shift_search_0_10;
+      slice3cost_difference_0_10_choice_2 := slice3shift_search_0_10 when slice3cost_difference_0_10_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_11_value := ((slice3cost_signs_ready_words_0 / 2048) mod 2) = 1;
+      slice3cost_difference_0_11_choice := slice3shift_reference_0 when slice3cost_difference_0_11_value else
+        slice3shift_search_0_11;
+      slice3cost_difference_0_11_choice_2 := slice3shift_search_0_11 when slice3cost_difference_0_11_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_12_value := ((slice3cost_signs_ready_words_0 / 4096) mod 2) = 1;
+      slice3cost_difference_0_12_choice := slice3shift_reference_0 when slice3cost_difference_0_12_value else
+        slice3shift_search_0_12;
+      slice3cost_difference_0_12_choice_2 := slice3shift_search_0_12 when slice3cost_difference_0_12_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_13_value := ((slice3cost_signs_ready_words_0 / 8192) mod 2) = 1;
+      slice3cost_difference_0_13_choice := slice3shift_reference_0 when slice3cost_difference_0_13_value else
+        slice3shift_search_0_13;
+      slice3cost_difference_0_13_choice_2 := slice3shift_search_0_13 when slice3cost_difference_0_13_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_14_value := ((slice3cost_signs_ready_words_0 / 16384) mod 2) = 1;
+      slice3cost_difference_0_14_choice := slice3shift_reference_0 when slice3cost_difference_0_14_value else
+        slice3shift_search_0_14;
+      slice3cost_difference_0_14_choice_2 := slice3shift_search_0_14 when slice3cost_difference_0_14_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_15_value := ((slice3cost_signs_ready_words_0 / 32768) mod 2) = 1;
+      slice3cost_difference_0_15_choice := slice3shift_reference_0 when slice3cost_difference_0_15_value else
+        slice3shift_search_0_15;
+      slice3cost_difference_0_15_choice_2 := slice3shift_search_0_15 when slice3cost_difference_0_15_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_16_value := ((slice3cost_signs_ready_words_0 / 65536) mod 2) = 1;
+      slice3cost_difference_0_16_choice := slice3shift_reference_0 when slice3cost_difference_0_16_value else
+        slice3shift_search_0_16;
+      slice3cost_difference_0_16_choice_2 := slice3shift_search_0_16 when slice3cost_difference_0_16_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_17_value := ((slice3cost_signs_ready_words_0 / 131072) mod 2) = 1;
+      slice3cost_difference_0_17_choice := slice3shift_reference_0 when slice3cost_difference_0_17_value else
+        slice3shift_search_0_17;
+      slice3cost_difference_0_17_choice_2 := slice3shift_search_0_17 when slice3cost_difference_0_17_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_18_value := ((slice3cost_signs_ready_words_0 / 262144) mod 2) = 1;
+      slice3cost_difference_0_18_choice := slice3shift_reference_0 when slice3cost_difference_0_18_value else
+        slice3shift_search_0_18;
+      slice3cost_difference_0_18_choice_2 := slice3shift_search_0_18 when slice3cost_difference_0_18_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_19_value := ((slice3cost_signs_ready_words_0 / 524288) mod 2) = 1;
+      slice3cost_difference_0_19_choice := slice3shift_reference_0 when slice3cost_difference_0_19_value else
+        slice3shift_search_0_19;
+      slice3cost_difference_0_19_choice_2 := slice3shift_search_0_19 when slice3cost_difference_0_19_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_20_value := ((slice3cost_signs_ready_words_0 / 1048576) mod 2) = 1;
+      slice3cost_difference_0_20_choice := slice3shift_reference_0 when slice3cost_difference_0_20_value else
+        slice3shift_search_0_20;
+      slice3cost_difference_0_20_choice_2 := slice3shift_search_0_20 when slice3cost_difference_0_20_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_21_value := ((slice3cost_signs_ready_words_0 / 2097152) mod 2) = 1;
+      slice3cost_difference_0_21_choice := slice3shift_reference_0 when slice3cost_difference_0_21_value else
+        slice3shift_search_0_21;
+      slice3cost_difference_0_21_choice_2 := slice3shift_search_0_21 when slice3cost_difference_0_21_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_22_value := ((slice3cost_signs_ready_words_0 / 4194304) mod 2) = 1;
+      slice3cost_difference_0_22_choice := slice3shift_reference_0 when slice3cost_difference_0_22_value else
+        slice3shift_search_0_22;
+      slice3cost_difference_0_22_choice_2 := slice3shift_search_0_22 when slice3cost_difference_0_22_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_23_value := ((slice3cost_signs_ready_words_0 / 8388608) mod 2) = 1;
+      slice3cost_difference_0_23_choice := slice3shift_reference_0 when slice3cost_difference_0_23_value else
+        slice3shift_search_0_23;
+      slice3cost_difference_0_23_choice_2 := slice3shift_search_0_23 when slice3cost_difference_0_23_value else
+        slice3shift_reference_0;
+      slice3cost_difference_0_24_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 / 16777216) = 1
+        else slice3shift_search_0_24;
+      slice3cost_difference_0_24_choice_2 := slice3shift_search_0_24 when (slice3cost_signs_ready_words_0 / 16777216) =
+        1 else slice3shift_reference_0;
+      slice3cost_difference_1_0_choice := slice3shift_reference_1 when (slice3cost_signs_ready_words_1 mod 2) = 1 else
+        slice3shift_search_1_0;
+      slice3cost_difference_1_0_choice_2 := slice3shift_search_1_0 when (slice3cost_signs_ready_words_1 mod 2) = 1 else
+        slice3shift_reference_1;
+      slice3cost_difference_1_1_value := ((slice3cost_signs_ready_words_1 / 2) mod 2) = 1;
+      slice3cost_difference_1_1_choice := slice3shift_reference_1 when slice3cost_difference_1_1_value else
+        slice3shift_search_1_1;
+      slice3cost_difference_1_1_choice_2 := slice3shift_search_1_1 when slice3cost_difference_1_1_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_2_value := ((slice3cost_signs_ready_words_1 / 4) mod 2) = 1;
+      slice3cost_difference_1_2_choice := slice3shift_reference_1 when slice3cost_difference_1_2_value else
+        slice3shift_search_1_2;
+      slice3cost_difference_1_2_choice_2 := slice3shift_search_1_2 when slice3cost_difference_1_2_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_3_value := ((slice3cost_signs_ready_words_1 / 8) mod 2) = 1;
+      slice3cost_difference_1_3_choice := slice3shift_reference_1 when slice3cost_difference_1_3_value else
+        slice3shift_search_1_3;
+      slice3cost_difference_1_3_choice_2 := slice3shift_search_1_3 when slice3cost_difference_1_3_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_4_value := ((slice3cost_signs_ready_words_1 / 16) mod 2) = 1;
+      slice3cost_difference_1_4_choice := slice3shift_reference_1 when slice3cost_difference_1_4_value else
+        slice3shift_search_1_4;
+      slice3cost_difference_1_4_choice_2 := slice3shift_search_1_4 when slice3cost_difference_1_4_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_5_value := ((slice3cost_signs_ready_words_1 / 32) mod 2) = 1;
+      slice3cost_difference_1_5_choice := slice3shift_reference_1 when slice3cost_difference_1_5_value else
+        slice3shift_search_1_5;
+      slice3cost_difference_1_5_choice_2 := slice3shift_search_1_5 when slice3cost_difference_1_5_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_6_value := ((slice3cost_signs_ready_words_1 / 64) mod 2) = 1;
+      slice3cost_difference_1_6_choice := slice3shift_reference_1 when slice3cost_difference_1_6_value else
+        slice3shift_search_1_6;
+      slice3cost_difference_1_6_choice_2 := slice3shift_search_1_6 when slice3cost_difference_1_6_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_7_value := ((slice3cost_signs_ready_words_1 / 128) mod 2) = 1;
+      slice3cost_difference_1_7_choice := slice3shift_reference_1 when slice3cost_difference_1_7_value else
+        slice3shift_search_1_7;
+      slice3cost_difference_1_7_choice_2 := slice3shift_search_1_7 when slice3cost_difference_1_7_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_8_value := ((slice3cost_signs_ready_words_1 / 256) mod 2) = 1;
+      slice3cost_difference_1_8_choice := slice3shift_reference_1 when slice3cost_difference_1_8_value else
+        slice3shift_search_1_8;
+      slice3cost_difference_1_8_choice_2 := slice3shift_search_1_8 when slice3cost_difference_1_8_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_9_value := ((slice3cost_signs_ready_words_1 / 512) mod 2) = 1;
+      slice3cost_difference_1_9_choice := slice3shift_reference_1 when slice3cost_difference_1_9_value else
+        slice3shift_search_1_9;
+      slice3cost_difference_1_9_choice_2 := slice3shift_search_1_9 when slice3cost_difference_1_9_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_10_value := ((slice3cost_signs_ready_words_1 / 1024) mod 2) = 1;
+      slice3cost_difference_1_10_choice := slice3shift_reference_1 when slice3cost_difference_1_10_value else
+        slice3shift_search_1_10;
+      slice3cost_difference_1_10_choice_2 := slice3shift_search_1_10 when slice3cost_difference_1_10_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_11_value := ((slice3cost_signs_ready_words_1 / 2048) mod 2) = 1;
+      slice3cost_difference_1_11_choice := slice3shift_reference_1 when slice3cost_difference_1_11_value else
+        slice3shift_search_1_11;
+      slice3cost_difference_1_11_choice_2 := slice3shift_search_1_11 when slice3cost_difference_1_11_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_12_value := ((slice3cost_signs_ready_words_1 / 4096) mod 2) = 1;
+      slice3cost_difference_1_12_choice := slice3shift_reference_1 when slice3cost_difference_1_12_value else
+        slice3shift_search_1_12;
+      slice3cost_difference_1_12_choice_2 := slice3shift_search_1_12 when slice3cost_difference_1_12_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_13_value := ((slice3cost_signs_ready_words_1 / 8192) mod 2) = 1;
+      slice3cost_difference_1_13_choice := slice3shift_reference_1 when slice3cost_difference_1_13_value else
+        slice3shift_search_1_13;
+      slice3cost_difference_1_13_choice_2 := slice3shift_search_1_13 when slice3cost_difference_1_13_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_14_value := ((slice3cost_signs_ready_words_1 / 16384) mod 2) = 1;
+      slice3cost_difference_1_14_choice := slice3shift_reference_1 when slice3cost_difference_1_14_value else
+        slice3shift_search_1_14;
+      slice3cost_difference_1_14_choice_2 := slice3shift_search_1_14 when slice3cost_difference_1_14_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_15_value := ((slice3cost_signs_ready_words_1 / 32768) mod 2) = 1;
+      slice3cost_difference_1_15_choice := slice3shift_reference_1 when slice3cost_difference_1_15_value else
+        slice3shift_search_1_15;
+      slice3cost_difference_1_15_choice_2 := slice3shift_search_1_15 when slice3cost_difference_1_15_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_16_value := ((slice3cost_signs_ready_words_1 / 65536) mod 2) = 1;
+      slice3cost_difference_1_16_choice := slice3shift_reference_1 when slice3cost_difference_1_16_value else
+        slice3shift_search_1_16;
+      slice3cost_difference_1_16_choice_2 := slice3shift_search_1_16 when slice3cost_difference_1_16_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_17_value := ((slice3cost_signs_ready_words_1 / 131072) mod 2) = 1;
+      slice3cost_difference_1_17_choice := slice3shift_reference_1 when slice3cost_difference_1_17_value else
+        slice3shift_search_1_17;
+      slice3cost_difference_1_17_choice_2 := slice3shift_search_1_17 when slice3cost_difference_1_17_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_18_value := ((slice3cost_signs_ready_words_1 / 262144) mod 2) = 1;
+      slice3cost_difference_1_18_choice := slice3shift_reference_1 when slice3cost_difference_1_18_value else
+        slice3shift_search_1_18;
+      slice3cost_difference_1_18_choice_2 := slice3shift_search_1_18 when slice3cost_difference_1_18_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_19_value := ((slice3cost_signs_ready_words_1 / 524288) mod 2) = 1;
+      slice3cost_difference_1_19_choice := slice3shift_reference_1 when slice3cost_difference_1_19_value else
+        slice3shift_search_1_19;
+      slice3cost_difference_1_19_choice_2 := slice3shift_search_1_19 when slice3cost_difference_1_19_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_20_value := ((slice3cost_signs_ready_words_1 / 1048576) mod 2) = 1;
+      slice3cost_difference_1_20_choice := slice3shift_reference_1 when slice3cost_difference_1_20_value else
+        slice3shift_search_1_20;
+      slice3cost_difference_1_20_choice_2 := slice3shift_search_1_20 when slice3cost_difference_1_20_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_21_value := ((slice3cost_signs_ready_words_1 / 2097152) mod 2) = 1;
+      slice3cost_difference_1_21_choice := slice3shift_reference_1 when slice3cost_difference_1_21_value else
+        slice3shift_search_1_21;
+      slice3cost_difference_1_21_choice_2 := slice3shift_search_1_21 when slice3cost_difference_1_21_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_22_value := ((slice3cost_signs_ready_words_1 / 4194304) mod 2) = 1;
+      slice3cost_difference_1_22_choice := slice3shift_reference_1 when slice3cost_difference_1_22_value else
+        slice3shift_search_1_22;
+      slice3cost_difference_1_22_choice_2 := slice3shift_search_1_22 when slice3cost_difference_1_22_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_23_value := ((slice3cost_signs_ready_words_1 / 8388608) mod 2) = 1;
+      slice3cost_difference_1_23_choice := slice3shift_reference_1 when slice3cost_difference_1_23_value else
+        slice3shift_search_1_23;
+      slice3cost_difference_1_23_choice_2 := slice3shift_search_1_23 when slice3cost_difference_1_23_value else
+        slice3shift_reference_1;
+      slice3cost_difference_1_24_choice := slice3shift_reference_1 when (slice3cost_signs_ready_words_1 / 16777216) = 1
+        else slice3shift_search_1_24;
+      slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24 when (slice3cost_signs_ready_words_1 / 16777216) =
+        1 else slice3shift_reference_1;
+      slice3cost_difference_2_0_difference := slice3shift_search_2_0 - slice3shift_reference_2;
+      slice3cost_difference_2_1_difference := slice3shift_search_2_1 - slice3shift_reference_2;
+      slice3cost_difference_2_2_difference := slice3shift_search_2_2 - slice3shift_reference_2;
+      slice3cost_difference_2_3_difference := slice3shift_search_2_3 - slice3shift_reference_2;
+      slice3cost_difference_2_4_difference := slice3shift_search_2_4 - slice3shift_reference_2;
+      slice3cost_difference_2_5_difference := slice3shift_search_2_5 - slice3shift_reference_2;
+      slice3cost_difference_2_6_difference := slice3shift_search_2_6 - slice3shift_reference_2;
+      slice3cost_difference_2_7_difference := slice3shift_search_2_7 - slice3shift_reference_2;
+      slice3cost_difference_2_8_difference := slice3shift_search_2_8 - slice3shift_reference_2;
+      slice3cost_difference_2_9_difference := slice3shift_search_2_9 - slice3shift_reference_2;
+      slice3cost_difference_2_10_difference := slice3shift_search_2_10 - slice3shift_reference_2;
+      slice3cost_difference_2_11_difference := slice3shift_search_2_11 - slice3shift_reference_2;
+      slice3cost_difference_2_12_difference := slice3shift_search_2_12 - slice3shift_reference_2;
+      slice3cost_difference_2_13_difference := slice3shift_search_2_13 - slice3shift_reference_2;
+      slice3cost_difference_2_14_difference := slice3shift_search_2_14 - slice3shift_reference_2;
+      slice3cost_difference_2_15_difference := slice3shift_search_2_15 - slice3shift_reference_2;
+      slice3cost_difference_2_16_difference := slice3shift_search_2_16 - slice3shift_reference_2;
+      slice3cost_difference_2_17_difference := slice3shift_search_2_17 - slice3shift_reference_2;
+      slice3cost_difference_2_18_difference := slice3shift_search_2_18 - slice3shift_reference_2;
+      slice3cost_difference_2_19_difference := slice3shift_search_2_19 - slice3shift_reference_2;
+      slice3cost_difference_2_20_difference := slice3shift_search_2_20 - slice3shift_reference_2;
+      slice3cost_difference_2_21_difference := slice3shift_search_2_21 - slice3shift_reference_2;
+      slice3cost_difference_2_22_difference := slice3shift_search_2_22 - slice3shift_reference_2;
+      slice3cost_difference_2_23_difference := slice3shift_search_2_23 - slice3shift_reference_2;
+      slice3cost_difference_2_24_difference := slice3shift_search_2_24 - slice3shift_reference_2;
+      slice3cost_difference_3_0_difference := slice3shift_search_3_0 - slice3shift_reference_3;
+      slice3cost_difference_3_1_difference := slice3shift_search_3_1 - slice3shift_reference_3;
+      slice3cost_difference_3_2_difference := slice3shift_search_3_2 - slice3shift_reference_3;
+      slice3cost_difference_3_3_difference := slice3shift_search_3_3 - slice3shift_reference_3;
+      slice3cost_difference_3_4_difference := slice3shift_search_3_4 - slice3shift_reference_3;
+      slice3cost_difference_3_5_difference := slice3shift_search_3_5 - slice3shift_reference_3;
+      slice3cost_difference_3_6_difference := slice3shift_search_3_6 - slice3shift_reference_3;
+      slice3cost_difference_3_7_difference := slice3shift_search_3_7 - slice3shift_reference_3;
+      slice3cost_difference_3_8_difference := slice3shift_search_3_8 - slice3shift_reference_3;
+      slice3cost_difference_3_9_difference := slice3shift_search_3_9 - slice3shift_reference_3;
+      slice3cost_difference_3_10_difference := slice3shift_search_3_10 - slice3shift_reference_3;
+      slice3cost_difference_3_11_difference := slice3shift_search_3_11 - slice3shift_reference_3;
+      slice3cost_difference_3_12_difference := slice3shift_search_3_12 - slice3shift_reference_3;
+      slice3cost_difference_3_13_difference := slice3shift_search_3_13 - slice3shift_reference_3;
+      slice3cost_difference_3_14_difference := slice3shift_search_3_14 - slice3shift_reference_3;
+      slice3cost_difference_3_15_difference := slice3shift_search_3_15 - slice3shift_reference_3;
+      slice3cost_difference_3_16_difference := slice3shift_search_3_16 - slice3shift_reference_3;
+      slice3cost_difference_3_17_difference := slice3shift_search_3_17 - slice3shift_reference_3;
+      slice3cost_difference_3_18_difference := slice3shift_search_3_18 - slice3shift_reference_3;
+      slice3cost_difference_3_19_difference := slice3shift_search_3_19 - slice3shift_reference_3;
+      slice3cost_difference_3_20_difference := slice3shift_search_3_20 - slice3shift_reference_3;
+      slice3cost_difference_3_21_difference := slice3shift_search_3_21 - slice3shift_reference_3;
+      slice3cost_difference_3_22_difference := slice3shift_search_3_22 - slice3shift_reference_3;
+      slice3cost_difference_3_23_difference := slice3shift_search_3_23 - slice3shift_reference_3;
+      slice3cost_difference_3_24_difference := slice3shift_search_3_24 - slice3shift_reference_3;
+      slice3cost_signs_difference_column <= slice2cost_signs_difference_column;
+      slice3cost_signs_ready_words_0 <= to_integer(slice3cost_signs_read_words_0);
+      slice3cost_signs_ready_words_1 <= to_integer(slice3cost_signs_read_words_1);
+      slice3cost_difference_0_0 <= (slice3cost_difference_0_0_choice - slice3cost_difference_0_0_choice_2) mod 256;
+      slice3cost_difference_0_1 <= (slice3cost_difference_0_1_choice - slice3cost_difference_0_1_choice_2) mod 256;
+      slice3cost_difference_0_2 <= (slice3cost_difference_0_2_choice - slice3cost_difference_0_2_choice_2) mod 256;
+      slice3cost_difference_0_3 <= (slice3cost_difference_0_3_choice - slice3cost_difference_0_3_choice_2) mod 256;
+      slice3cost_difference_0_4 <= (slice3cost_difference_0_4_choice - slice3cost_difference_0_4_choice_2) mod 256;
+      slice3cost_difference_0_5 <= (slice3cost_difference_0_5_choice - slice3cost_difference_0_5_choice_2) mod 256;
+      slice3cost_difference_0_6 <= (slice3cost_difference_0_6_choice - slice3cost_difference_0_6_choice_2) mod 256;
+      slice3cost_difference_0_7 <= (slice3cost_difference_0_7_choice - slice3cost_difference_0_7_choice_2) mod 256;
+      slice3cost_difference_0_8 <= (slice3cost_difference_0_8_choice - slice3cost_difference_0_8_choice_2) mod 256;
+      slice3cost_difference_0_9 <= (slice3cost_difference_0_9_choice - slice3cost_difference_0_9_choice_2) mod 256;
+      slice3cost_difference_0_10 <= (slice3cost_difference_0_10_choice - slice3cost_difference_0_10_choice_2) mod 256;
+      slice3cost_difference_0_11 <= (slice3cost_difference_0_11_choice - slice3cost_difference_0_11_choice_2) mod 256;
+      slice3cost_difference_0_12 <= (slice3cost_difference_0_12_choice - slice3cost_difference_0_12_choice_2) mod 256;
+      slice3cost_difference_0_13 <= (slice3cost_difference_0_13_choice - slice3cost_difference_0_13_choice_2) mod 256;
+      slice3cost_difference_0_14 <= (slice3cost_difference_0_14_choice - slice3cost_difference_0_14_choice_2) mod 256;
+      slice3cost_difference_0_15 <= (slice3cost_difference_0_15_choice - slice3cost_difference_0_15_choice_2) mod 256;
+      slice3cost_difference_0_16 <= (slice3cost_difference_0_16_choice - slice3cost_difference_0_16_choice_2) mod 256;
+      slice3cost_difference_0_17 <= (slice3cost_difference_0_17_choice - slice3cost_difference_0_17_choice_2) mod 256;
+      slice3cost_difference_0_18 <= (slice3cost_difference_0_18_choice - slice3cost_difference_0_18_choice_2) mod 256;
+      slice3cost_difference_0_19 <= (slice3cost_difference_0_19_choice - slice3cost_difference_0_19_choice_2) mod 256;
+      slice3cost_difference_0_20 <= (slice3cost_difference_0_20_choice - slice3cost_difference_0_20_choice_2) mod 256;
+      slice3cost_difference_0_21 <= (slice3cost_difference_0_21_choice - slice3cost_difference_0_21_choice_2) mod 256;
+      slice3cost_difference_0_22 <= (slice3cost_difference_0_22_choice - slice3cost_difference_0_22_choice_2) mod 256;
+      slice3cost_difference_0_23 <= (slice3cost_difference_0_23_choice - slice3cost_difference_0_23_choice_2) mod 256;
+      slice3cost_difference_0_24 <= (slice3cost_difference_0_24_choice - slice3cost_difference_0_24_choice_2) mod 256;
+      slice3cost_difference_1_0 <= (slice3cost_difference_1_0_choice - slice3cost_difference_1_0_choice_2) mod 256;
+      slice3cost_difference_1_1 <= (slice3cost_difference_1_1_choice - slice3cost_difference_1_1_choice_2) mod 256;
+      slice3cost_difference_1_2 <= (slice3cost_difference_1_2_choice - slice3cost_difference_1_2_choice_2) mod 256;
+      slice3cost_difference_1_3 <= (slice3cost_difference_1_3_choice - slice3cost_difference_1_3_choice_2) mod 256;
+      slice3cost_difference_1_4 <= (slice3cost_difference_1_4_choice - slice3cost_difference_1_4_choice_2) mod 256;
+      slice3cost_difference_1_5 <= (slice3cost_difference_1_5_choice - slice3cost_difference_1_5_choice_2) mod 256;
+      slice3cost_difference_1_6 <= (slice3cost_difference_1_6_choice - slice3cost_difference_1_6_choice_2) mod 256;
+      slice3cost_difference_1_7 <= (slice3cost_difference_1_7_choice - slice3cost_difference_1_7_choice_2) mod 256;
+      slice3cost_difference_1_8 <= (slice3cost_difference_1_8_choice - slice3cost_difference_1_8_choice_2) mod 256;
+      slice3cost_difference_1_9 <= (slice3cost_difference_1_9_choice - slice3cost_difference_1_9_choice_2) mod 256;
+      slice3cost_difference_1_10 <= (slice3cost_difference_1_10_choice - slice3cost_difference_1_10_choice_2) mod 256;
+      slice3cost_difference_1_11 <= (slice3cost_difference_1_11_choice - slice3cost_difference_1_11_choice_2) mod 256;
+      slice3cost_difference_1_12 <= (slice3cost_difference_1_12_choice - slice3cost_difference_1_12_choice_2) mod 256;
+      slice3cost_difference_1_13 <= (slice3cost_difference_1_13_choice - slice3cost_difference_1_13_choice_2) mod 256;
+      slice3cost_difference_1_14 <= (slice3cost_difference_1_14_choice - slice3cost_difference_1_14_choice_2) mod 256;
+      slice3cost_difference_1_15 <= (slice3cost_difference_1_15_choice - slice3cost_difference_1_15_choice_2) mod 256;
+      slice3cost_difference_1_16 <= (slice3cost_difference_1_16_choice - slice3cost_difference_1_16_choice_2) mod 256;
+      slice3cost_difference_1_17 <= (slice3cost_difference_1_17_choice - slice3cost_difference_1_17_choice_2) mod 256;
+      slice3cost_difference_1_18 <= (slice3cost_difference_1_18_choice - slice3cost_difference_1_18_choice_2) mod 256;
+      slice3cost_difference_1_19 <= (slice3cost_difference_1_19_choice - slice3cost_difference_1_19_choice_2) mod 256;
+      slice3cost_difference_1_20 <= (slice3cost_difference_1_20_choice - slice3cost_difference_1_20_choice_2) mod 256;
+      slice3cost_difference_1_21 <= (slice3cost_difference_1_21_choice - slice3cost_difference_1_21_choice_2) mod 256;
+      slice3cost_difference_1_22 <= (slice3cost_difference_1_22_choice - slice3cost_difference_1_22_choice_2) mod 256;
+      slice3cost_difference_1_23 <= (slice3cost_difference_1_23_choice - slice3cost_difference_1_23_choice_2) mod 256;
+      slice3cost_difference_1_24 <= (slice3cost_difference_1_24_choice - slice3cost_difference_1_24_choice_2) mod 256;
+      slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference when (slice0cost_tag_newest_inside mod 2) = 1
+        else 0;
+      slice3cost_difference_3_0 <= slice3cost_difference_3_0_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_1 <= slice3cost_difference_3_1_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_2 <= slice3cost_difference_3_2_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_3 <= slice3cost_difference_3_3_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_4 <= slice3cost_difference_3_4_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_5 <= slice3cost_difference_3_5_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_6 <= slice3cost_difference_3_6_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_7 <= slice3cost_difference_3_7_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_8 <= slice3cost_difference_3_8_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_9 <= slice3cost_difference_3_9_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_10 <= slice3cost_difference_3_10_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_11 <= slice3cost_difference_3_11_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_12 <= slice3cost_difference_3_12_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_13 <= slice3cost_difference_3_13_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_14 <= slice3cost_difference_3_14_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_15 <= slice3cost_difference_3_15_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_16 <= slice3cost_difference_3_16_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_17 <= slice3cost_difference_3_17_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_18 <= slice3cost_difference_3_18_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_19 <= slice3cost_difference_3_19_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_20 <= slice3cost_difference_3_20_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_21 <= slice3cost_difference_3_21_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_22 <= slice3cost_difference_3_22_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_23 <= slice3cost_difference_3_23_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_difference_3_24 <= slice3cost_difference_3_24_difference when (slice0cost_tag_newest_inside / 2) = 1
+        else 0;
+      slice3cost_newest_negative_0_0 <= slice3cost_difference_2_0_difference < 0;
+      slice3cost_newest_negative_0_1 <= slice3cost_difference_2_1_difference < 0;
+      slice3cost_newest_negative_0_2 <= slice3cost_difference_2_2_difference < 0;
+      slice3cost_newest_negative_0_3 <= slice3cost_difference_2_3_difference < 0;
+      slice3cost_newest_negative_0_4 <= slice3cost_difference_2_4_difference < 0;
+      slice3cost_newest_negative_0_5 <= slice3cost_difference_2_5_difference < 0;
+      slice3cost_newest_negative_0_6 <= slice3cost_difference_2_6_difference < 0;
+      slice3cost_newest_negative_0_7 <= slice3cost_difference_2_7_difference < 0;
+      slice3cost_newest_negative_0_8 <= slice3cost_difference_2_8_difference < 0;
+      slice3cost_newest_negative_0_9 <= slice3cost_difference_2_9_difference < 0;
+      slice3cost_newest_negative_0_10 <= slice3cost_difference_2_10_difference < 0;
+      slice3cost_newest_negative_0_11 <= slice3cost_difference_2_11_difference < 0;
+      slice3cost_newest_negative_0_12 <= slice3cost_difference_2_12_difference < 0;
+      slice3cost_newest_negative_0_13 <= slice3cost_difference_2_13_difference < 0;
+      slice3cost_newest_negative_0_14 <= slice3cost_difference_2_14_difference < 0;
+      slice3cost_newest_negative_0_15 <= slice3cost_difference_2_15_difference < 0;
+      slice3cost_newest_negative_0_16 <= slice3cost_difference_2_16_difference < 0;
+      slice3cost_newest_negative_0_17 <= slice3cost_difference_2_17_difference < 0;
+      slice3cost_newest_negative_0_18 <= slice3cost_difference_2_18_difference < 0;
+      slice3cost_newest_negative_0_19 <= slice3cost_difference_2_19_difference < 0;
+      slice3cost_newest_negative_0_20 <= slice3cost_difference_2_20_difference < 0;
+      slice3cost_newest_negative_0_21 <= slice3cost_difference_2_21_difference < 0;
+      slice3cost_newest_negative_0_22 <= slice3cost_difference_2_22_difference < 0;
+      slice3cost_newest_negative_0_23 <= slice3cost_difference_2_23_difference < 0;
+      slice3cost_newest_negative_0_24 <= slice3cost_difference_2_24_difference < 0;
+      slice3cost_newest_negative_1_0 <= slice3cost_difference_3_0_difference < 0;
+      slice3cost_newest_negative_1_1 <= slice3cost_difference_3_1_difference < 0;
+      slice3cost_newest_negative_1_2 <= slice3cost_difference_3_2_difference < 0;
+      slice3cost_newest_negative_1_3 <= slice3cost_difference_3_3_difference < 0;
+      slice3cost_newest_negative_1_4 <= slice3cost_difference_3_4_difference < 0;
+      slice3cost_newest_negative_1_5 <= slice3cost_difference_3_5_difference < 0;
+      slice3cost_newest_negative_1_6 <= slice3cost_difference_3_6_difference < 0;
+      slice3cost_newest_negative_1_7 <= slice3cost_difference_3_7_difference < 0;
+      slice3cost_newest_negative_1_8 <= slice3cost_difference_3_8_difference < 0;
+      slice3cost_newest_negative_1_9 <= slice3cost_difference_3_9_difference < 0;
+      slice3cost_newest_negative_1_10 <= slice3cost_difference_3_10_difference < 0;
+      slice3cost_newest_negative_1_11 <= slice3cost_difference_3_11_difference < 0;
+      slice3cost_newest_negative_1_12 <= slice3cost_difference_3_12_difference < 0;
+      slice3cost_newest_negative_1_13 <= slice3cost_difference_3_13_difference < 0;
+      slice3cost_newest_negative_1_14 <= slice3cost_difference_3_14_difference < 0;
+      slice3cost_newest_negative_1_15 <= slice3cost_difference_3_15_difference < 0;
+      slice3cost_newest_negative_1_16 <= slice3cost_difference_3_16_difference < 0;
+      slice3cost_newest_negative_1_17 <= slice3cost_difference_3_17_difference < 0;
+      slice3cost_newest_negative_1_18 <= slice3cost_difference_3_18_difference < 0;
+      slice3cost_newest_negative_1_19 <= slice3cost_difference_3_19_difference < 0;
+      slice3cost_newest_negative_1_20 <= slice3cost_difference_3_20_difference < 0;
+      slice3cost_newest_negative_1_21 <= slice3cost_difference_3_21_difference < 0;
+      slice3cost_newest_negative_1_22 <= slice3cost_difference_3_22_difference < 0;
+      slice3cost_newest_negative_1_23 <= slice3cost_difference_3_23_difference < 0;
+      slice3cost_newest_negative_1_24 <= slice3cost_difference_3_24_difference < 0;
+      slice3cost_pair_0_0 <= as_number((slice3cost_difference_2_0 < 0)) + slice3cost_difference_1_0 +
+        folded(slice3cost_difference_2_0);
+      slice3cost_pair_0_1 <= as_number((slice3cost_difference_2_1 < 0)) + slice3cost_difference_1_1 +
+        folded(slice3cost_difference_2_1);
+      slice3cost_pair_0_2 <= as_number((slice3cost_difference_2_2 < 0)) + slice3cost_difference_1_2 +
+        folded(slice3cost_difference_2_2);
+      slice3cost_pair_0_3 <= as_number((slice3cost_difference_2_3 < 0)) + slice3cost_difference_1_3 +
+        folded(slice3cost_difference_2_3);
+      slice3cost_pair_0_4 <= as_number((slice3cost_difference_2_4 < 0)) + slice3cost_difference_1_4 +
+        folded(slice3cost_difference_2_4);
+      slice3cost_pair_0_5 <= as_number((slice3cost_difference_2_5 < 0)) + slice3cost_difference_1_5 +
+        folded(slice3cost_difference_2_5);
+      slice3cost_pair_0_6 <= as_number((slice3cost_difference_2_6 < 0)) + slice3cost_difference_1_6 +
+        folded(slice3cost_difference_2_6);
+      slice3cost_pair_0_7 <= as_number((slice3cost_difference_2_7 < 0)) + slice3cost_difference_1_7 +
+        folded(slice3cost_difference_2_7);
+      slice3cost_pair_0_8 <= as_number((slice3cost_difference_2_8 < 0)) + slice3cost_difference_1_8 +
+        folded(slice3cost_difference_2_8);
+      slice3cost_pair_0_9 <= as_number((slice3cost_difference_2_9 < 0)) + slice3cost_difference_1_9 +
+        folded(slice3cost_difference_2_9);
+      slice3cost_pair_0_10 <= as_number((slice3cost_difference_2_10 < 0)) + slice3cost_difference_1_10 +
+        folded(slice3cost_difference_2_10);
+      slice3cost_pair_0_11 <= as_number((slice3cost_difference_2_11 < 0)) + slice3cost_difference_1_11 +
+        folded(slice3cost_difference_2_11);
+      slice3cost_pair_0_12 <= as_number((slice3cost_difference_2_12 < 0)) + slice3cost_difference_1_12 +
+        folded(slice3cost_difference_2_12);
+      slice3cost_pair_0_13 <= as_number((slice3cost_difference_2_13 < 0)) + slice3cost_difference_1_13 +
+        folded(slice3cost_difference_2_13);
+      slice3cost_pair_0_14 <= as_number((slice3cost_difference_2_14 < 0)) + slice3cost_difference_1_14 +
+        folded(slice3cost_difference_2_14);
+      slice3cost_pair_0_15 <= as_number((slice3cost_difference_2_15 < 0)) + slice3cost_difference_1_15 +
+        folded(slice3cost_difference_2_15);
+      slice3cost_pair_0_16 <= as_number((slice3cost_difference_2_16 < 0)) + slice3cost_difference_1_16 +
+        folded(slice3cost_difference_2_16);
+      slice3cost_pair_0_17 <= as_number((slice3cost_difference_2_17 < 0)) + slice3cost_difference_1_17 +
+        folded(slice3cost_difference_2_17);
+      slice3cost_pair_0_18 <= as_number((slice3cost_difference_2_18 < 0)) + slice3cost_difference_1_18 +
+        folded(slice3cost_difference_2_18);
+      slice3cost_pair_0_19 <= as_number((slice3cost_difference_2_19 < 0)) + slice3cost_difference_1_19 +
+        folded(slice3cost_difference_2_19);
+      slice3cost_pair_0_20 <= as_number((slice3cost_difference_2_20 < 0)) + slice3cost_difference_1_20 +
+        folded(slice3cost_difference_2_20);
+      slice3cost_pair_0_21 <= as_number((slice3cost_difference_2_21 < 0)) + slice3cost_difference_1_21 +
+        folded(slice3cost_difference_2_21);
+      slice3cost_pair_0_22 <= as_number((slice3cost_difference_2_22 < 0)) + slice3cost_difference_1_22 +
+        folded(slice3cost_difference_2_22);
+      slice3cost_pair_0_23 <= as_number((slice3cost_difference_2_23 < 0)) + slice3cost_difference_1_23 +
+        folded(slice3cost_difference_2_23);
+      slice3cost_pair_0_24 <= as_number((slice3cost_difference_2_24 < 0)) + slice3cost_difference_1_24 +
+        folded(slice3cost_difference_2_24);
+      slice3cost_single_0_0 <= slice3cost_difference_0_0;
+      slice3cost_single_0_1 <= slice3cost_difference_0_1;
+      slice3cost_single_0_2 <= slice3cost_difference_0_2;
+      slice3cost_single_0_3 <= slice3cost_difference_0_3;
+      slice3cost_single_0_4 <= slice3cost_difference_0_4;
+      slice3cost_single_0_5 <= slice3cost_difference_0_5;
+      slice3cost_single_0_6 <= slice3cost_difference_0_6;
+      slice3cost_single_0_7 <= slice3cost_difference_0_7;
+      slice3cost_single_0_8 <= slice3cost_difference_0_8;
+      slice3cost_single_0_9 <= slice3cost_difference_0_9;
+      slice3cost_single_0_10 <= slice3cost_difference_0_10;
+      slice3cost_single_0_11 <= slice3cost_difference_0_11;
+      slice3cost_single_0_12 <= slice3cost_difference_0_12;
+      slice3cost_single_0_13 <= slice3cost_difference_0_13;
+      slice3cost_single_0_14 <= slice3cost_difference_0_14;
+      slice3cost_single_0_15 <= slice3cost_difference_0_15;
+      slice3cost_single_0_16 <= slice3cost_difference_0_16;
+      slice3cost_single_0_17 <= slice3cost_difference_0_17;
+      slice3cost_single_0_18 <= slice3cost_difference_0_18;
+      slice3cost_single_0_19 <= slice3cost_difference_0_19;
+      slice3cost_single_0_20 <= slice3cost_difference_0_20;
+      slice3cost_single_0_21 <= slice3cost_difference_0_21;
+      slice3cost_single_0_22 <= slice3cost_difference_0_22;
+      slice3cost_single_0_23 <= slice3cost_difference_0_23;
+      slice3cost_single_0_24 <= slice3cost_difference_0_24;
       slice3cost_single_3_0 <= folded(slice3cost_difference_3_0);
       slice3cost_single_3_1 <= folded(slice3cost_difference_3_1);
       slice3cost_single_3_2 <= folded(slice3cost_difference_3_2);
@@ -4688,158 +6928,139 @@ begin
       slice3cost_single_3_22 <= folded(slice3cost_difference_3_22);
       slice3cost_single_3_23 <= folded(slice3cost_difference_3_23);
       slice3cost_single_3_24 <= folded(slice3cost_difference_3_24);
-      slice3cost_negative_0_0 <= slice3cost_difference_0_0 < 0;
-      slice3cost_negative_0_1 <= slice3cost_difference_0_1 < 0;
-      slice3cost_negative_0_2 <= slice3cost_difference_0_2 < 0;
-      slice3cost_negative_0_3 <= slice3cost_difference_0_3 < 0;
-      slice3cost_negative_0_4 <= slice3cost_difference_0_4 < 0;
-      slice3cost_negative_0_5 <= slice3cost_difference_0_5 < 0;
-      slice3cost_negative_0_6 <= slice3cost_difference_0_6 < 0;
-      slice3cost_negative_0_7 <= slice3cost_difference_0_7 < 0;
-      slice3cost_negative_0_8 <= slice3cost_difference_0_8 < 0;
-      slice3cost_negative_0_9 <= slice3cost_difference_0_9 < 0;
-      slice3cost_negative_0_10 <= slice3cost_difference_0_10 < 0;
-      slice3cost_negative_0_11 <= slice3cost_difference_0_11 < 0;
-      slice3cost_negative_0_12 <= slice3cost_difference_0_12 < 0;
-      slice3cost_negative_0_13 <= slice3cost_difference_0_13 < 0;
-      slice3cost_negative_0_14 <= slice3cost_difference_0_14 < 0;
-      slice3cost_negative_0_15 <= slice3cost_difference_0_15 < 0;
-      slice3cost_negative_0_16 <= slice3cost_difference_0_16 < 0;
-      slice3cost_negative_0_17 <= slice3cost_difference_0_17 < 0;
-      slice3cost_negative_0_18 <= slice3cost_difference_0_18 < 0;
-      slice3cost_negative_0_19 <= slice3cost_difference_0_19 < 0;
-      slice3cost_negative_0_20 <= slice3cost_difference_0_20 < 0;
-      slice3cost_negative_0_21 <= slice3cost_difference_0_21 < 0;
-      slice3cost_negative_0_22 <= slice3cost_difference_0_22 < 0;
-      slice3cost_negative_0_23 <= slice3cost_difference_0_23 < 0;
-      slice3cost_negative_0_24 <= slice3cost_difference_0_24 < 0;
-      slice3cost_negative_3_0 <= slice3cost_difference_3_0 < 0;
-      slice3cost_negative_3_1 <= slice3cost_difference_3_1 < 0;
-      slice3cost_negative_3_2 <= slice3cost_difference_3_2 < 0;
-      slice3cost_negative_3_3 <= slice3cost_difference_3_3 < 0;
-      slice3cost_negative_3_4 <= slice3cost_difference_3_4 < 0;
-      slice3cost_negative_3_5 <= slice3cost_difference_3_5 < 0;
-      slice3cost_negative_3_6 <= slice3cost_difference_3_6 < 0;
-      slice3cost_negative_3_7 <= slice3cost_difference_3_7 < 0;
-      slice3cost_negative_3_8 <= slice3cost_difference_3_8 < 0;
-      slice3cost_negative_3_9 <= slice3cost_difference_3_9 < 0;
-      slice3cost_negative_3_10 <= slice3cost_difference_3_10 < 0;
-      slice3cost_negative_3_11 <= slice3cost_difference_3_11 < 0;
-      slice3cost_negative_3_12 <= slice3cost_difference_3_12 < 0;
-      slice3cost_negative_3_13 <= slice3cost_difference_3_13 < 0;
-      slice3cost_negative_3_14 <= slice3cost_difference_3_14 < 0;
-      slice3cost_negative_3_15 <= slice3cost_difference_3_15 < 0;
-      slice3cost_negative_3_16 <= slice3cost_difference_3_16 < 0;
-      slice3cost_negative_3_17 <= slice3cost_difference_3_17 < 0;
-      slice3cost_negative_3_18 <= slice3cost_difference_3_18 < 0;
-      slice3cost_negative_3_19 <= slice3cost_difference_3_19 < 0;
-      slice3cost_negative_3_20 <= slice3cost_difference_3_20 < 0;
-      slice3cost_negative_3_21 <= slice3cost_difference_3_21 < 0;
-      slice3cost_negative_3_22 <= slice3cost_difference_3_22 < 0;
-      slice3cost_negative_3_23 <= slice3cost_difference_3_23 < 0;
-      slice3cost_negative_3_24 <= slice3cost_difference_3_24 < 0;
-      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_0) +
-        slice3cost_pair_0_0 + slice3cost_single_0_0;
-      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_1) +
-        slice3cost_pair_0_1 + slice3cost_single_0_1;
-      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_2) +
-        slice3cost_pair_0_2 + slice3cost_single_0_2;
-      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_3) +
-        slice3cost_pair_0_3 + slice3cost_single_0_3;
-      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_4) +
-        slice3cost_pair_0_4 + slice3cost_single_0_4;
-      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_5) +
-        slice3cost_pair_0_5 + slice3cost_single_0_5;
-      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_6) +
-        slice3cost_pair_0_6 + slice3cost_single_0_6;
-      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_7) +
-        slice3cost_pair_0_7 + slice3cost_single_0_7;
-      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_8) +
-        slice3cost_pair_0_8 + slice3cost_single_0_8;
-      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_9) +
-        slice3cost_pair_0_9 + slice3cost_single_0_9;
-      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_10) +
-        slice3cost_pair_0_10 + slice3cost_single_0_10;
-      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_11) +
-        slice3cost_pair_0_11 + slice3cost_single_0_11;
-      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_12) +
-        slice3cost_pair_0_12 + slice3cost_single_0_12;
-      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_13) +
-        slice3cost_pair_0_13 + slice3cost_single_0_13;
-      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_14) +
-        slice3cost_pair_0_14 + slice3cost_single_0_14;
-      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_15) +
-        slice3cost_pair_0_15 + slice3cost_single_0_15;
-      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_16) +
-        slice3cost_pair_0_16 + slice3cost_single_0_16;
-      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_17) +
-        slice3cost_pair_0_17 + slice3cost_single_0_17;
-      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_18) +
-        slice3cost_pair_0_18 + slice3cost_single_0_18;
-      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_19) +
-        slice3cost_pair_0_19 + slice3cost_single_0_19;
-      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_20) +
-        slice3cost_pair_0_20 + slice3cost_single_0_20;
-      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_21) +
-        slice3cost_pair_0_21 + slice3cost_single_0_21;
-      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_22) +
-        slice3cost_pair_0_22 + slice3cost_single_0_22;
-      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_23) +
-        slice3cost_pair_0_23 + slice3cost_single_0_23;
-      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_24) +
-        slice3cost_pair_0_24 + slice3cost_single_0_24;
-      slice3cost_column_1_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_0) +
+      slice3cost_single_negative_3_0 <= slice3cost_difference_3_0 < 0;
+      slice3cost_single_negative_3_1 <= slice3cost_difference_3_1 < 0;
+      slice3cost_single_negative_3_2 <= slice3cost_difference_3_2 < 0;
+      slice3cost_single_negative_3_3 <= slice3cost_difference_3_3 < 0;
+      slice3cost_single_negative_3_4 <= slice3cost_difference_3_4 < 0;
+      slice3cost_single_negative_3_5 <= slice3cost_difference_3_5 < 0;
+      slice3cost_single_negative_3_6 <= slice3cost_difference_3_6 < 0;
+      slice3cost_single_negative_3_7 <= slice3cost_difference_3_7 < 0;
+      slice3cost_single_negative_3_8 <= slice3cost_difference_3_8 < 0;
+      slice3cost_single_negative_3_9 <= slice3cost_difference_3_9 < 0;
+      slice3cost_single_negative_3_10 <= slice3cost_difference_3_10 < 0;
+      slice3cost_single_negative_3_11 <= slice3cost_difference_3_11 < 0;
+      slice3cost_single_negative_3_12 <= slice3cost_difference_3_12 < 0;
+      slice3cost_single_negative_3_13 <= slice3cost_difference_3_13 < 0;
+      slice3cost_single_negative_3_14 <= slice3cost_difference_3_14 < 0;
+      slice3cost_single_negative_3_15 <= slice3cost_difference_3_15 < 0;
+      slice3cost_single_negative_3_16 <= slice3cost_difference_3_16 < 0;
+      slice3cost_single_negative_3_17 <= slice3cost_difference_3_17 < 0;
+      slice3cost_single_negative_3_18 <= slice3cost_difference_3_18 < 0;
+      slice3cost_single_negative_3_19 <= slice3cost_difference_3_19 < 0;
+      slice3cost_single_negative_3_20 <= slice3cost_difference_3_20 < 0;
+      slice3cost_single_negative_3_21 <= slice3cost_difference_3_21 < 0;
+      slice3cost_single_negative_3_22 <= slice3cost_difference_3_22 < 0;
+      slice3cost_single_negative_3_23 <= slice3cost_difference_3_23 < 0;
+      slice3cost_single_negative_3_24 <= slice3cost_difference_3_24 < 0;
+      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_0 + slice3cost_single_0_0;
+      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_1 + slice3cost_single_0_1;
+      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_2 + slice3cost_single_0_2;
+      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_3 + slice3cost_single_0_3;
+      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_4 + slice3cost_single_0_4;
+      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_5 + slice3cost_single_0_5;
+      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_6 + slice3cost_single_0_6;
+      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_7 + slice3cost_single_0_7;
+      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_8 + slice3cost_single_0_8;
+      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_9 + slice3cost_single_0_9;
+      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_10 + slice3cost_single_0_10;
+      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_11 + slice3cost_single_0_11;
+      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_12 + slice3cost_single_0_12;
+      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_13 + slice3cost_single_0_13;
+      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_14 + slice3cost_single_0_14;
+      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_15 + slice3cost_single_0_15;
+      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_16 + slice3cost_single_0_16;
+      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_17 + slice3cost_single_0_17;
+      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_18 + slice3cost_single_0_18;
+      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_19 + slice3cost_single_0_19;
+      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_20 + slice3cost_single_0_20;
+      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_21 + slice3cost_single_0_21;
+      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_22 + slice3cost_single_0_22;
+      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_23 + slice3cost_single_0_23;
+      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_24 + slice3cost_single_0_24;
+      slice3cost_column_1_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_0) +
         slice3cost_pair_0_0 + slice3cost_single_3_0;
-      slice3cost_column_1_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_1) +
+      slice3cost_column_1_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_1) +
         slice3cost_pair_0_1 + slice3cost_single_3_1;
-      slice3cost_column_1_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_2) +
+      slice3cost_column_1_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_2) +
         slice3cost_pair_0_2 + slice3cost_single_3_2;
-      slice3cost_column_1_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_3) +
+      slice3cost_column_1_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_3) +
         slice3cost_pair_0_3 + slice3cost_single_3_3;
-      slice3cost_column_1_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_4) +
+      slice3cost_column_1_4 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_4) +
         slice3cost_pair_0_4 + slice3cost_single_3_4;
-      slice3cost_column_1_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_5) +
+      slice3cost_column_1_5 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_5) +
         slice3cost_pair_0_5 + slice3cost_single_3_5;
-      slice3cost_column_1_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_6) +
+      slice3cost_column_1_6 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_6) +
         slice3cost_pair_0_6 + slice3cost_single_3_6;
-      slice3cost_column_1_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_7) +
+      slice3cost_column_1_7 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_7) +
         slice3cost_pair_0_7 + slice3cost_single_3_7;
-      slice3cost_column_1_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_8) +
+      slice3cost_column_1_8 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_8) +
         slice3cost_pair_0_8 + slice3cost_single_3_8;
-      slice3cost_column_1_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_9) +
+      slice3cost_column_1_9 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_9) +
         slice3cost_pair_0_9 + slice3cost_single_3_9;
-      slice3cost_column_1_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_10) +
+      slice3cost_column_1_10 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_10) +
         slice3cost_pair_0_10 + slice3cost_single_3_10;
-      slice3cost_column_1_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_11) +
+      slice3cost_column_1_11 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_11) +
         slice3cost_pair_0_11 + slice3cost_single_3_11;
-      slice3cost_column_1_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_12) +
+      slice3cost_column_1_12 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_12) +
         slice3cost_pair_0_12 + slice3cost_single_3_12;
-      slice3cost_column_1_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_13) +
+      slice3cost_column_1_13 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_13) +
         slice3cost_pair_0_13 + slice3cost_single_3_13;
-      slice3cost_column_1_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_14) +
+      slice3cost_column_1_14 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_14) +
         slice3cost_pair_0_14 + slice3cost_single_3_14;
-      slice3cost_column_1_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_15) +
+      slice3cost_column_1_15 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_15) +
         slice3cost_pair_0_15 + slice3cost_single_3_15;
-      slice3cost_column_1_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_16) +
+      slice3cost_column_1_16 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_16) +
         slice3cost_pair_0_16 + slice3cost_single_3_16;
-      slice3cost_column_1_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_17) +
+      slice3cost_column_1_17 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_17) +
         slice3cost_pair_0_17 + slice3cost_single_3_17;
-      slice3cost_column_1_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_18) +
+      slice3cost_column_1_18 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_18) +
         slice3cost_pair_0_18 + slice3cost_single_3_18;
-      slice3cost_column_1_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_19) +
+      slice3cost_column_1_19 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_19) +
         slice3cost_pair_0_19 + slice3cost_single_3_19;
-      slice3cost_column_1_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_20) +
+      slice3cost_column_1_20 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_20) +
         slice3cost_pair_0_20 + slice3cost_single_3_20;
-      slice3cost_column_1_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_21) +
+      slice3cost_column_1_21 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_21) +
         slice3cost_pair_0_21 + slice3cost_single_3_21;
-      slice3cost_column_1_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_22) +
+      slice3cost_column_1_22 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_22) +
         slice3cost_pair_0_22 + slice3cost_single_3_22;
-      slice3cost_column_1_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_23) +
+      slice3cost_column_1_23 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_23) +
         slice3cost_pair_0_23 + slice3cost_single_3_23;
-      slice3cost_column_1_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_3_24) +
+      slice3cost_column_1_24 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_single_negative_3_24) +
         slice3cost_pair_0_24 + slice3cost_single_3_24;
+      if slice0window_tag_valid then
+        slice3cost_signs_write_column <= slice3cost_signs_difference_column;
+        slice3cost_signs_write_words_0 <= (as_number(slice3cost_newest_negative_0_23) * 8388608) +
+          (as_number(slice3cost_newest_negative_0_24) * 16777216) + (as_number(slice3cost_newest_negative_0_22) *
+          4194304) + (as_number(slice3cost_newest_negative_0_21) * 2097152) +
+          (as_number(slice3cost_newest_negative_0_20) * 1048576) + (as_number(slice3cost_newest_negative_0_19) *
+          524288) + (as_number(slice3cost_newest_negative_0_18) * 262144) + (as_number(slice3cost_newest_negative_0_17)
+          * 131072) + (as_number(slice3cost_newest_negative_0_16) * 65536) +
+          (as_number(slice3cost_newest_negative_0_15) * 32768) + (as_number(slice3cost_newest_negative_0_14) * 16384) +
+          (as_number(slice3cost_newest_negative_0_13) * 8192) + (as_number(slice3cost_newest_negative_0_12) * 4096) +
+          (as_number(slice3cost_newest_negative_0_11) * 2048) + (as_number(slice3cost_newest_negative_0_10) * 1024) +
+          (as_number(slice3cost_newest_negative_0_9) * 512) + (as_number(slice3cost_newest_negative_0_8) * 256) +
+          (as_number(slice3cost_newest_negative_0_6) * 64) + (as_number(slice3cost_newest_negative_0_7) * 128) +
+          (as_number(slice3cost_newest_negative_0_5) * 32) + (as_number(slice3cost_newest_negative_0_4) * 16) +
+          (as_number(slice3cost_newest_negative_0_3) * 8) + (as_number(slice3cost_newest_negative_0_2) * 4) +
+          as_number(slice3cost_newest_negative_0_0) + (as_number(slice3cost_newest_negative_0_1) * 2);
+        slice3cost_signs_write_words_1 <= (as_number(slice3cost_newest_negative_1_23) * 8388608) +
+          (as_number(slice3cost_newest_negative_1_24) * 16777216) + (as_number(slice3cost_newest_negative_1_22) *
+          4194304) + (as_number(slice3cost_newest_negative_1_21) * 2097152) +
+          (as_number(slice3cost_newest_negative_1_20) * 1048576) + (as_number(slice3cost_newest_negative_1_19) *
+          524288) + (as_number(slice3cost_newest_negative_1_18) * 262144) + (as_number(slice3cost_newest_negative_1_17)
+          * 131072) + (as_number(slice3cost_newest_negative_1_16) * 65536) +
+          (as_number(slice3cost_newest_negative_1_15) * 32768) + (as_number(slice3cost_newest_negative_1_14) * 16384) +
+          (as_number(slice3cost_newest_negative_1_13) * 8192) + (as_number(slice3cost_newest_negative_1_12) * 4096) +
+          (as_number(slice3cost_newest_negative_1_11) * 2048) + (as_number(slice3cost_newest_negative_1_10) * 1024) +
+          (as_number(slice3cost_newest_negative_1_9) * 512) + (as_number(slice3cost_newest_negative_1_8) * 256) +
+          (as_number(slice3cost_newest_negative_1_6) * 64) + (as_number(slice3cost_newest_negative_1_7) * 128) +
+          (as_number(slice3cost_newest_negative_1_5) * 32) + (as_number(slice3cost_newest_negative_1_4) * 16) +
+          (as_number(slice3cost_newest_negative_1_3) * 8) + (as_number(slice3cost_newest_negative_1_2) * 4) +
+          as_number(slice3cost_newest_negative_1_0) + (as_number(slice3cost_newest_negative_1_1) * 2);
+      end if;
       -- slice3window
-      if slice0winner2_tag_valid then
+      if slice0winner1_four_tag_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
         slice3window_partial_0_0_1 <= slice3cost_column_0_1;
         slice3window_partial_0_0_2 <= slice3cost_column_0_2;
@@ -4992,246 +7213,368 @@ begin
       slice3window_sum_1_23 <= slice3cost_column_1_23 + slice3window_partial_1_1_23;
       slice3window_sum_1_24 <= slice3cost_column_1_24 + slice3window_partial_1_1_24;
       -- slice3winner1
-      slice3winner1_best_cost_0_0_is_less := slice3window_sum_0_1 < slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1_is_less := slice3window_sum_0_3 < slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2_is_less := slice3window_sum_0_5 < slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3_is_less := slice3window_sum_0_7 < slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4_is_less := slice3window_sum_0_9 < slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5_is_less := slice3window_sum_0_11 < slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6_is_less := slice3window_sum_0_13 < slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7_is_less := slice3window_sum_0_15 < slice3window_sum_0_14;
-      slice3winner1_best_cost_0_8_is_less := slice3window_sum_0_17 < slice3window_sum_0_16;
-      slice3winner1_best_cost_0_9_is_less := slice3window_sum_0_19 < slice3window_sum_0_18;
-      slice3winner1_best_cost_0_10_is_less := slice3window_sum_0_21 < slice3window_sum_0_20;
-      slice3winner1_best_cost_0_11_is_less := slice3window_sum_0_23 < slice3window_sum_0_22;
-      slice3winner1_best_cost_1_0_is_less := slice3window_sum_1_1 < slice3window_sum_1_0;
-      slice3winner1_best_cost_1_1_is_less := slice3window_sum_1_3 < slice3window_sum_1_2;
-      slice3winner1_best_cost_1_2_is_less := slice3window_sum_1_5 < slice3window_sum_1_4;
-      slice3winner1_best_cost_1_3_is_less := slice3window_sum_1_7 < slice3window_sum_1_6;
-      slice3winner1_best_cost_1_4_is_less := slice3window_sum_1_9 < slice3window_sum_1_8;
-      slice3winner1_best_cost_1_5_is_less := slice3window_sum_1_11 < slice3window_sum_1_10;
-      slice3winner1_best_cost_1_6_is_less := slice3window_sum_1_13 < slice3window_sum_1_12;
-      slice3winner1_best_cost_1_7_is_less := slice3window_sum_1_15 < slice3window_sum_1_14;
-      slice3winner1_best_cost_1_8_is_less := slice3window_sum_1_17 < slice3window_sum_1_16;
-      slice3winner1_best_cost_1_9_is_less := slice3window_sum_1_19 < slice3window_sum_1_18;
-      slice3winner1_best_cost_1_10_is_less := slice3window_sum_1_21 < slice3window_sum_1_20;
-      slice3winner1_best_cost_1_11_is_less := slice3window_sum_1_23 < slice3window_sum_1_22;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
-      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
-        slice3window_sum_0_16;
-      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
-        slice3window_sum_0_18;
-      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
-        slice3window_sum_0_20;
-      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
-        slice3window_sum_0_22;
-      slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
-      slice3winner1_best_cost_1_0 <= slice3window_sum_1_1 when slice3winner1_best_cost_1_0_is_less else
-        slice3window_sum_1_0;
-      slice3winner1_best_cost_1_1 <= slice3window_sum_1_3 when slice3winner1_best_cost_1_1_is_less else
-        slice3window_sum_1_2;
-      slice3winner1_best_cost_1_2 <= slice3window_sum_1_5 when slice3winner1_best_cost_1_2_is_less else
-        slice3window_sum_1_4;
-      slice3winner1_best_cost_1_3 <= slice3window_sum_1_7 when slice3winner1_best_cost_1_3_is_less else
-        slice3window_sum_1_6;
-      slice3winner1_best_cost_1_4 <= slice3window_sum_1_9 when slice3winner1_best_cost_1_4_is_less else
-        slice3window_sum_1_8;
-      slice3winner1_best_cost_1_5 <= slice3window_sum_1_11 when slice3winner1_best_cost_1_5_is_less else
-        slice3window_sum_1_10;
-      slice3winner1_best_cost_1_6 <= slice3window_sum_1_13 when slice3winner1_best_cost_1_6_is_less else
-        slice3window_sum_1_12;
-      slice3winner1_best_cost_1_7 <= slice3window_sum_1_15 when slice3winner1_best_cost_1_7_is_less else
-        slice3window_sum_1_14;
-      slice3winner1_best_cost_1_8 <= slice3window_sum_1_17 when slice3winner1_best_cost_1_8_is_less else
-        slice3window_sum_1_16;
-      slice3winner1_best_cost_1_9 <= slice3window_sum_1_19 when slice3winner1_best_cost_1_9_is_less else
-        slice3window_sum_1_18;
-      slice3winner1_best_cost_1_10 <= slice3window_sum_1_21 when slice3winner1_best_cost_1_10_is_less else
-        slice3window_sum_1_20;
-      slice3winner1_best_cost_1_11 <= slice3window_sum_1_23 when slice3winner1_best_cost_1_11_is_less else
-        slice3window_sum_1_22;
-      slice3winner1_best_cost_1_12 <= slice3window_sum_1_24;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
-      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
-      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
-      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
-      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
-      slice3winner1_best_index_1_0 <= slice3winner1_best_cost_1_0_is_less;
-      slice3winner1_best_index_1_1 <= 3 when slice3winner1_best_cost_1_1_is_less else 2;
-      slice3winner1_best_index_1_2 <= 5 when slice3winner1_best_cost_1_2_is_less else 4;
-      slice3winner1_best_index_1_3 <= 7 when slice3winner1_best_cost_1_3_is_less else 6;
-      slice3winner1_best_index_1_4 <= 9 when slice3winner1_best_cost_1_4_is_less else 8;
-      slice3winner1_best_index_1_5 <= 11 when slice3winner1_best_cost_1_5_is_less else 10;
-      slice3winner1_best_index_1_6 <= 13 when slice3winner1_best_cost_1_6_is_less else 12;
-      slice3winner1_best_index_1_7 <= 15 when slice3winner1_best_cost_1_7_is_less else 14;
-      slice3winner1_best_index_1_8 <= 17 when slice3winner1_best_cost_1_8_is_less else 16;
-      slice3winner1_best_index_1_9 <= 19 when slice3winner1_best_cost_1_9_is_less else 18;
-      slice3winner1_best_index_1_10 <= 21 when slice3winner1_best_cost_1_10_is_less else 20;
-      slice3winner1_best_index_1_11 <= 23 when slice3winner1_best_cost_1_11_is_less else 22;
+      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_of_pair_0_16_is_less := (slice3window_sum_0_17 - slice3window_sum_0_16) < 0;
+      slice3winner1_of_pair_0_18_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
+      slice3winner1_of_pair_0_20_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
+      slice3winner1_of_pair_0_22_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
+      slice3winner1_of_pair_1_0_is_less := (slice3window_sum_1_1 - slice3window_sum_1_0) < 0;
+      slice3winner1_of_pair_1_2_is_less := (slice3window_sum_1_3 - slice3window_sum_1_2) < 0;
+      slice3winner1_of_pair_1_4_is_less := (slice3window_sum_1_5 - slice3window_sum_1_4) < 0;
+      slice3winner1_of_pair_1_6_is_less := (slice3window_sum_1_7 - slice3window_sum_1_6) < 0;
+      slice3winner1_of_pair_1_8_is_less := (slice3window_sum_1_9 - slice3window_sum_1_8) < 0;
+      slice3winner1_of_pair_1_10_is_less := (slice3window_sum_1_11 - slice3window_sum_1_10) < 0;
+      slice3winner1_of_pair_1_12_is_less := (slice3window_sum_1_13 - slice3window_sum_1_12) < 0;
+      slice3winner1_of_pair_1_14_is_less := (slice3window_sum_1_15 - slice3window_sum_1_14) < 0;
+      slice3winner1_of_pair_1_16_is_less := (slice3window_sum_1_17 - slice3window_sum_1_16) < 0;
+      slice3winner1_of_pair_1_18_is_less := (slice3window_sum_1_19 - slice3window_sum_1_18) < 0;
+      slice3winner1_of_pair_1_20_is_less := (slice3window_sum_1_21 - slice3window_sum_1_20) < 0;
+      slice3winner1_of_pair_1_22_is_less := (slice3window_sum_1_23 - slice3window_sum_1_22) < 0;
+      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_1, 12))))) < 0;
+      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_5, 12))))) < 0;
+      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_9, 12))))) < 0;
+      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_13, 12))))) < 0;
+      slice3winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_18, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_16, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_17, 12))))) < 0;
+      slice3winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_22, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_20, 12)) or
+        (to_unsigned(slice3winner1_of_pair_0_21, 12))))) < 0;
+      slice3winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_2, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_0, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_1, 12))))) < 0;
+      slice3winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_6, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_4, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_5, 12))))) < 0;
+      slice3winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_10, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_8, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_9, 12))))) < 0;
+      slice3winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_14, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_12, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_13, 12))))) < 0;
+      slice3winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_18, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_16, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_17, 12))))) < 0;
+      slice3winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_1_22, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice3winner1_of_pair_1_20, 12)) or
+        (to_unsigned(slice3winner1_of_pair_1_21, 12))))) < 0;
+      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
+      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
+      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
+      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
+      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
+      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
+      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
+      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
+      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
+      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
+      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
+      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
+      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
+      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
+      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
+      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
+      slice3winner1_of_pair_0_16 <= 0 when slice3winner1_of_pair_0_16_is_less else slice3window_sum_0_16;
+      slice3winner1_of_pair_0_17 <= slice3window_sum_0_17 when slice3winner1_of_pair_0_16_is_less else 0;
+      slice3winner1_of_pair_0_18 <= 0 when slice3winner1_of_pair_0_18_is_less else slice3window_sum_0_18;
+      slice3winner1_of_pair_0_19 <= slice3window_sum_0_19 when slice3winner1_of_pair_0_18_is_less else 0;
+      slice3winner1_of_pair_0_20 <= 0 when slice3winner1_of_pair_0_20_is_less else slice3window_sum_0_20;
+      slice3winner1_of_pair_0_21 <= slice3window_sum_0_21 when slice3winner1_of_pair_0_20_is_less else 0;
+      slice3winner1_of_pair_0_22 <= 0 when slice3winner1_of_pair_0_22_is_less else slice3window_sum_0_22;
+      slice3winner1_of_pair_0_23 <= slice3window_sum_0_23 when slice3winner1_of_pair_0_22_is_less else 0;
+      slice3winner1_of_pair_0_24 <= slice3window_sum_0_24;
+      slice3winner1_of_pair_1_0 <= 0 when slice3winner1_of_pair_1_0_is_less else slice3window_sum_1_0;
+      slice3winner1_of_pair_1_1 <= slice3window_sum_1_1 when slice3winner1_of_pair_1_0_is_less else 0;
+      slice3winner1_of_pair_1_2 <= 0 when slice3winner1_of_pair_1_2_is_less else slice3window_sum_1_2;
+      slice3winner1_of_pair_1_3 <= slice3window_sum_1_3 when slice3winner1_of_pair_1_2_is_less else 0;
+      slice3winner1_of_pair_1_4 <= 0 when slice3winner1_of_pair_1_4_is_less else slice3window_sum_1_4;
+      slice3winner1_of_pair_1_5 <= slice3window_sum_1_5 when slice3winner1_of_pair_1_4_is_less else 0;
+      slice3winner1_of_pair_1_6 <= 0 when slice3winner1_of_pair_1_6_is_less else slice3window_sum_1_6;
+      slice3winner1_of_pair_1_7 <= slice3window_sum_1_7 when slice3winner1_of_pair_1_6_is_less else 0;
+      slice3winner1_of_pair_1_8 <= 0 when slice3winner1_of_pair_1_8_is_less else slice3window_sum_1_8;
+      slice3winner1_of_pair_1_9 <= slice3window_sum_1_9 when slice3winner1_of_pair_1_8_is_less else 0;
+      slice3winner1_of_pair_1_10 <= 0 when slice3winner1_of_pair_1_10_is_less else slice3window_sum_1_10;
+      slice3winner1_of_pair_1_11 <= slice3window_sum_1_11 when slice3winner1_of_pair_1_10_is_less else 0;
+      slice3winner1_of_pair_1_12 <= 0 when slice3winner1_of_pair_1_12_is_less else slice3window_sum_1_12;
+      slice3winner1_of_pair_1_13 <= slice3window_sum_1_13 when slice3winner1_of_pair_1_12_is_less else 0;
+      slice3winner1_of_pair_1_14 <= 0 when slice3winner1_of_pair_1_14_is_less else slice3window_sum_1_14;
+      slice3winner1_of_pair_1_15 <= slice3window_sum_1_15 when slice3winner1_of_pair_1_14_is_less else 0;
+      slice3winner1_of_pair_1_16 <= 0 when slice3winner1_of_pair_1_16_is_less else slice3window_sum_1_16;
+      slice3winner1_of_pair_1_17 <= slice3window_sum_1_17 when slice3winner1_of_pair_1_16_is_less else 0;
+      slice3winner1_of_pair_1_18 <= 0 when slice3winner1_of_pair_1_18_is_less else slice3window_sum_1_18;
+      slice3winner1_of_pair_1_19 <= slice3window_sum_1_19 when slice3winner1_of_pair_1_18_is_less else 0;
+      slice3winner1_of_pair_1_20 <= 0 when slice3winner1_of_pair_1_20_is_less else slice3window_sum_1_20;
+      slice3winner1_of_pair_1_21 <= slice3window_sum_1_21 when slice3winner1_of_pair_1_20_is_less else 0;
+      slice3winner1_of_pair_1_22 <= 0 when slice3winner1_of_pair_1_22_is_less else slice3window_sum_1_22;
+      slice3winner1_of_pair_1_23 <= slice3window_sum_1_23 when slice3winner1_of_pair_1_22_is_less else 0;
+      slice3winner1_of_pair_1_24 <= slice3window_sum_1_24;
+      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
+      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
+      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
+      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
+      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
+      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
+      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
+      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
+      slice3winner1_pair_index_0_8 <= 17 when slice3winner1_of_pair_0_16_is_less else 16;
+      slice3winner1_pair_index_0_9 <= 19 when slice3winner1_of_pair_0_18_is_less else 18;
+      slice3winner1_pair_index_0_10 <= 21 when slice3winner1_of_pair_0_20_is_less else 20;
+      slice3winner1_pair_index_0_11 <= 23 when slice3winner1_of_pair_0_22_is_less else 22;
+      slice3winner1_pair_index_1_0 <= slice3winner1_of_pair_1_0_is_less;
+      slice3winner1_pair_index_1_1 <= 3 when slice3winner1_of_pair_1_2_is_less else 2;
+      slice3winner1_pair_index_1_2 <= 5 when slice3winner1_of_pair_1_4_is_less else 4;
+      slice3winner1_pair_index_1_3 <= 7 when slice3winner1_of_pair_1_6_is_less else 6;
+      slice3winner1_pair_index_1_4 <= 9 when slice3winner1_of_pair_1_8_is_less else 8;
+      slice3winner1_pair_index_1_5 <= 11 when slice3winner1_of_pair_1_10_is_less else 10;
+      slice3winner1_pair_index_1_6 <= 13 when slice3winner1_of_pair_1_12_is_less else 12;
+      slice3winner1_pair_index_1_7 <= 15 when slice3winner1_of_pair_1_14_is_less else 14;
+      slice3winner1_pair_index_1_8 <= 17 when slice3winner1_of_pair_1_16_is_less else 16;
+      slice3winner1_pair_index_1_9 <= 19 when slice3winner1_of_pair_1_18_is_less else 18;
+      slice3winner1_pair_index_1_10 <= 21 when slice3winner1_of_pair_1_20_is_less else 20;
+      slice3winner1_pair_index_1_11 <= 23 when slice3winner1_of_pair_1_22_is_less else 22;
+      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
+      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
+      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
+      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
+      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
+      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
+      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
+      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
+      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
+      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
+      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
+      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
+      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
+      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
+      slice3winner1_of_four_0_16 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_16;
+      slice3winner1_of_four_0_17 <= 0 when slice3winner1_of_four_0_16_is_less else slice3winner1_of_pair_0_17;
+      slice3winner1_of_four_0_18 <= slice3winner1_of_pair_0_18 when slice3winner1_of_four_0_16_is_less else 0;
+      slice3winner1_of_four_0_19 <= slice3winner1_of_pair_0_19 when slice3winner1_of_four_0_16_is_less else 0;
+      slice3winner1_of_four_0_20 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_20;
+      slice3winner1_of_four_0_21 <= 0 when slice3winner1_of_four_0_20_is_less else slice3winner1_of_pair_0_21;
+      slice3winner1_of_four_0_22 <= slice3winner1_of_pair_0_22 when slice3winner1_of_four_0_20_is_less else 0;
+      slice3winner1_of_four_0_23 <= slice3winner1_of_pair_0_23 when slice3winner1_of_four_0_20_is_less else 0;
+      slice3winner1_of_four_0_24 <= slice3winner1_of_pair_0_24;
+      slice3winner1_of_four_1_0 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_0;
+      slice3winner1_of_four_1_1 <= 0 when slice3winner1_of_four_1_0_is_less else slice3winner1_of_pair_1_1;
+      slice3winner1_of_four_1_2 <= slice3winner1_of_pair_1_2 when slice3winner1_of_four_1_0_is_less else 0;
+      slice3winner1_of_four_1_3 <= slice3winner1_of_pair_1_3 when slice3winner1_of_four_1_0_is_less else 0;
+      slice3winner1_of_four_1_4 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_4;
+      slice3winner1_of_four_1_5 <= 0 when slice3winner1_of_four_1_4_is_less else slice3winner1_of_pair_1_5;
+      slice3winner1_of_four_1_6 <= slice3winner1_of_pair_1_6 when slice3winner1_of_four_1_4_is_less else 0;
+      slice3winner1_of_four_1_7 <= slice3winner1_of_pair_1_7 when slice3winner1_of_four_1_4_is_less else 0;
+      slice3winner1_of_four_1_8 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_8;
+      slice3winner1_of_four_1_9 <= 0 when slice3winner1_of_four_1_8_is_less else slice3winner1_of_pair_1_9;
+      slice3winner1_of_four_1_10 <= slice3winner1_of_pair_1_10 when slice3winner1_of_four_1_8_is_less else 0;
+      slice3winner1_of_four_1_11 <= slice3winner1_of_pair_1_11 when slice3winner1_of_four_1_8_is_less else 0;
+      slice3winner1_of_four_1_12 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_12;
+      slice3winner1_of_four_1_13 <= 0 when slice3winner1_of_four_1_12_is_less else slice3winner1_of_pair_1_13;
+      slice3winner1_of_four_1_14 <= slice3winner1_of_pair_1_14 when slice3winner1_of_four_1_12_is_less else 0;
+      slice3winner1_of_four_1_15 <= slice3winner1_of_pair_1_15 when slice3winner1_of_four_1_12_is_less else 0;
+      slice3winner1_of_four_1_16 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_16;
+      slice3winner1_of_four_1_17 <= 0 when slice3winner1_of_four_1_16_is_less else slice3winner1_of_pair_1_17;
+      slice3winner1_of_four_1_18 <= slice3winner1_of_pair_1_18 when slice3winner1_of_four_1_16_is_less else 0;
+      slice3winner1_of_four_1_19 <= slice3winner1_of_pair_1_19 when slice3winner1_of_four_1_16_is_less else 0;
+      slice3winner1_of_four_1_20 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_20;
+      slice3winner1_of_four_1_21 <= 0 when slice3winner1_of_four_1_20_is_less else slice3winner1_of_pair_1_21;
+      slice3winner1_of_four_1_22 <= slice3winner1_of_pair_1_22 when slice3winner1_of_four_1_20_is_less else 0;
+      slice3winner1_of_four_1_23 <= slice3winner1_of_pair_1_23 when slice3winner1_of_four_1_20_is_less else 0;
+      slice3winner1_of_four_1_24 <= slice3winner1_of_pair_1_24;
+      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
+        as_number(slice3winner1_pair_index_0_0);
+      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
+        slice3winner1_pair_index_0_2;
+      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
+        slice3winner1_pair_index_0_4;
+      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
+        slice3winner1_pair_index_0_6;
+      slice3winner1_four_index_0_4 <= slice3winner1_pair_index_0_9 when slice3winner1_of_four_0_16_is_less else
+        slice3winner1_pair_index_0_8;
+      slice3winner1_four_index_0_5 <= slice3winner1_pair_index_0_11 when slice3winner1_of_four_0_20_is_less else
+        slice3winner1_pair_index_0_10;
+      slice3winner1_four_index_1_0 <= slice3winner1_pair_index_1_1 when slice3winner1_of_four_1_0_is_less else
+        as_number(slice3winner1_pair_index_1_0);
+      slice3winner1_four_index_1_1 <= slice3winner1_pair_index_1_3 when slice3winner1_of_four_1_4_is_less else
+        slice3winner1_pair_index_1_2;
+      slice3winner1_four_index_1_2 <= slice3winner1_pair_index_1_5 when slice3winner1_of_four_1_8_is_less else
+        slice3winner1_pair_index_1_4;
+      slice3winner1_four_index_1_3 <= slice3winner1_pair_index_1_7 when slice3winner1_of_four_1_12_is_less else
+        slice3winner1_pair_index_1_6;
+      slice3winner1_four_index_1_4 <= slice3winner1_pair_index_1_9 when slice3winner1_of_four_1_16_is_less else
+        slice3winner1_pair_index_1_8;
+      slice3winner1_four_index_1_5 <= slice3winner1_pair_index_1_11 when slice3winner1_of_four_1_20_is_less else
+        slice3winner1_pair_index_1_10;
+      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_3, 12)))) or (to_unsigned(slice3winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_0, 12))));
+      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_7, 12)))) or (to_unsigned(slice3winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_4, 12))));
+      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_11, 12)))) or (to_unsigned(slice3winner1_of_four_0_9, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_8, 12))));
+      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_15, 12)))) or (to_unsigned(slice3winner1_of_four_0_13, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_12, 12))));
+      slice3winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_18, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_19, 12)))) or (to_unsigned(slice3winner1_of_four_0_17, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_16, 12))));
+      slice3winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_22, 12)) or
+        (to_unsigned(slice3winner1_of_four_0_23, 12)))) or (to_unsigned(slice3winner1_of_four_0_21, 12)))) or
+        (to_unsigned(slice3winner1_of_four_0_20, 12))));
+      slice3winner1_best_cost_0_6 <= slice3winner1_of_four_0_24;
+      slice3winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_2, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_3, 12)))) or (to_unsigned(slice3winner1_of_four_1_1, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_0, 12))));
+      slice3winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_6, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_7, 12)))) or (to_unsigned(slice3winner1_of_four_1_5, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_4, 12))));
+      slice3winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_10, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_11, 12)))) or (to_unsigned(slice3winner1_of_four_1_9, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_8, 12))));
+      slice3winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_14, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_15, 12)))) or (to_unsigned(slice3winner1_of_four_1_13, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_12, 12))));
+      slice3winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_18, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_19, 12)))) or (to_unsigned(slice3winner1_of_four_1_17, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_16, 12))));
+      slice3winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice3winner1_of_four_1_22, 12)) or
+        (to_unsigned(slice3winner1_of_four_1_23, 12)))) or (to_unsigned(slice3winner1_of_four_1_21, 12)))) or
+        (to_unsigned(slice3winner1_of_four_1_20, 12))));
+      slice3winner1_best_cost_1_6 <= slice3winner1_of_four_1_24;
+      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
+      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
+      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
+      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
+      slice3winner1_best_index_0_4 <= slice3winner1_four_index_0_4;
+      slice3winner1_best_index_0_5 <= slice3winner1_four_index_0_5;
+      slice3winner1_best_index_1_0 <= slice3winner1_four_index_1_0;
+      slice3winner1_best_index_1_1 <= slice3winner1_four_index_1_1;
+      slice3winner1_best_index_1_2 <= slice3winner1_four_index_1_2;
+      slice3winner1_best_index_1_3 <= slice3winner1_four_index_1_3;
+      slice3winner1_best_index_1_4 <= slice3winner1_four_index_1_4;
+      slice3winner1_best_index_1_5 <= slice3winner1_four_index_1_5;
       -- slice3winner2
-      slice3winner2_best_cost_0_0_is_less := slice3winner1_best_cost_0_1 < slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1_is_less := slice3winner1_best_cost_0_3 < slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2_is_less := slice3winner1_best_cost_0_5 < slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3_is_less := slice3winner1_best_cost_0_7 < slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_4_is_less := slice3winner1_best_cost_0_9 < slice3winner1_best_cost_0_8;
-      slice3winner2_best_cost_0_5_is_less := slice3winner1_best_cost_0_11 < slice3winner1_best_cost_0_10;
-      slice3winner2_best_cost_1_0_is_less := slice3winner1_best_cost_1_1 < slice3winner1_best_cost_1_0;
-      slice3winner2_best_cost_1_1_is_less := slice3winner1_best_cost_1_3 < slice3winner1_best_cost_1_2;
-      slice3winner2_best_cost_1_2_is_less := slice3winner1_best_cost_1_5 < slice3winner1_best_cost_1_4;
-      slice3winner2_best_cost_1_3_is_less := slice3winner1_best_cost_1_7 < slice3winner1_best_cost_1_6;
-      slice3winner2_best_cost_1_4_is_less := slice3winner1_best_cost_1_9 < slice3winner1_best_cost_1_8;
-      slice3winner2_best_cost_1_5_is_less := slice3winner1_best_cost_1_11 < slice3winner1_best_cost_1_10;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_cost_0_8;
-      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_cost_0_10;
-      slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      slice3winner2_best_cost_1_0 <= slice3winner1_best_cost_1_1 when slice3winner2_best_cost_1_0_is_less else
-        slice3winner1_best_cost_1_0;
-      slice3winner2_best_cost_1_1 <= slice3winner1_best_cost_1_3 when slice3winner2_best_cost_1_1_is_less else
-        slice3winner1_best_cost_1_2;
-      slice3winner2_best_cost_1_2 <= slice3winner1_best_cost_1_5 when slice3winner2_best_cost_1_2_is_less else
-        slice3winner1_best_cost_1_4;
-      slice3winner2_best_cost_1_3 <= slice3winner1_best_cost_1_7 when slice3winner2_best_cost_1_3_is_less else
-        slice3winner1_best_cost_1_6;
-      slice3winner2_best_cost_1_4 <= slice3winner1_best_cost_1_9 when slice3winner2_best_cost_1_4_is_less else
-        slice3winner1_best_cost_1_8;
-      slice3winner2_best_cost_1_5 <= slice3winner1_best_cost_1_11 when slice3winner2_best_cost_1_5_is_less else
-        slice3winner1_best_cost_1_10;
-      slice3winner2_best_cost_1_6 <= slice3winner1_best_cost_1_12;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
+      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_of_pair_0_4_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
+      slice3winner2_of_pair_1_0_is_less := (slice3winner1_best_cost_1_1 - slice3winner1_best_cost_1_0) < 0;
+      slice3winner2_of_pair_1_2_is_less := (slice3winner1_best_cost_1_3 - slice3winner1_best_cost_1_2) < 0;
+      slice3winner2_of_pair_1_4_is_less := (slice3winner1_best_cost_1_5 - slice3winner1_best_cost_1_4) < 0;
+      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 12)) or
+        (to_unsigned(slice3winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 12)) or
+        (to_unsigned(slice3winner2_of_pair_0_1, 12))))) < 0;
+      slice3winner2_of_four_0_4_is_less := (slice3winner2_of_pair_0_6 -
+        to_integer(((to_unsigned(slice3winner2_of_pair_0_4, 12)) or (to_unsigned(slice3winner2_of_pair_0_5, 12))))) < 0;
+      slice3winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_1_2, 12)) or
+        (to_unsigned(slice3winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice3winner2_of_pair_1_0, 12)) or
+        (to_unsigned(slice3winner2_of_pair_1_1, 12))))) < 0;
+      slice3winner2_of_four_1_4_is_less := (slice3winner2_of_pair_1_6 -
+        to_integer(((to_unsigned(slice3winner2_of_pair_1_4, 12)) or (to_unsigned(slice3winner2_of_pair_1_5, 12))))) < 0;
+      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
+      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
+      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
+      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
+      slice3winner2_of_pair_0_4 <= 0 when slice3winner2_of_pair_0_4_is_less else slice3winner1_best_cost_0_4;
+      slice3winner2_of_pair_0_5 <= slice3winner1_best_cost_0_5 when slice3winner2_of_pair_0_4_is_less else 0;
+      slice3winner2_of_pair_0_6 <= slice3winner1_best_cost_0_6;
+      slice3winner2_of_pair_1_0 <= 0 when slice3winner2_of_pair_1_0_is_less else slice3winner1_best_cost_1_0;
+      slice3winner2_of_pair_1_1 <= slice3winner1_best_cost_1_1 when slice3winner2_of_pair_1_0_is_less else 0;
+      slice3winner2_of_pair_1_2 <= 0 when slice3winner2_of_pair_1_2_is_less else slice3winner1_best_cost_1_2;
+      slice3winner2_of_pair_1_3 <= slice3winner1_best_cost_1_3 when slice3winner2_of_pair_1_2_is_less else 0;
+      slice3winner2_of_pair_1_4 <= 0 when slice3winner2_of_pair_1_4_is_less else slice3winner1_best_cost_1_4;
+      slice3winner2_of_pair_1_5 <= slice3winner1_best_cost_1_5 when slice3winner2_of_pair_1_4_is_less else 0;
+      slice3winner2_of_pair_1_6 <= slice3winner1_best_cost_1_6;
+      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
+        slice3winner1_best_index_0_0;
+      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
+      slice3winner2_pair_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_of_pair_0_4_is_less else
         slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
-      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_index_0_8;
-      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_index_0_10;
-      slice3winner2_best_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_best_cost_1_0_is_less else
-        as_number(slice3winner1_best_index_1_0);
-      slice3winner2_best_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_best_cost_1_1_is_less else
+      slice3winner2_pair_index_1_0 <= slice3winner1_best_index_1_1 when slice3winner2_of_pair_1_0_is_less else
+        slice3winner1_best_index_1_0;
+      slice3winner2_pair_index_1_1 <= slice3winner1_best_index_1_3 when slice3winner2_of_pair_1_2_is_less else
         slice3winner1_best_index_1_2;
-      slice3winner2_best_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_best_cost_1_2_is_less else
+      slice3winner2_pair_index_1_2 <= slice3winner1_best_index_1_5 when slice3winner2_of_pair_1_4_is_less else
         slice3winner1_best_index_1_4;
-      slice3winner2_best_index_1_3 <= slice3winner1_best_index_1_7 when slice3winner2_best_cost_1_3_is_less else
-        slice3winner1_best_index_1_6;
-      slice3winner2_best_index_1_4 <= slice3winner1_best_index_1_9 when slice3winner2_best_cost_1_4_is_less else
-        slice3winner1_best_index_1_8;
-      slice3winner2_best_index_1_5 <= slice3winner1_best_index_1_11 when slice3winner2_best_cost_1_5_is_less else
-        slice3winner1_best_index_1_10;
+      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
+      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
+      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
+      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
+      slice3winner2_of_four_0_4 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_4;
+      slice3winner2_of_four_0_5 <= 0 when slice3winner2_of_four_0_4_is_less else slice3winner2_of_pair_0_5;
+      slice3winner2_of_four_0_6 <= slice3winner2_of_pair_0_6 when slice3winner2_of_four_0_4_is_less else 0;
+      slice3winner2_of_four_1_0 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_0;
+      slice3winner2_of_four_1_1 <= 0 when slice3winner2_of_four_1_0_is_less else slice3winner2_of_pair_1_1;
+      slice3winner2_of_four_1_2 <= slice3winner2_of_pair_1_2 when slice3winner2_of_four_1_0_is_less else 0;
+      slice3winner2_of_four_1_3 <= slice3winner2_of_pair_1_3 when slice3winner2_of_four_1_0_is_less else 0;
+      slice3winner2_of_four_1_4 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_4;
+      slice3winner2_of_four_1_5 <= 0 when slice3winner2_of_four_1_4_is_less else slice3winner2_of_pair_1_5;
+      slice3winner2_of_four_1_6 <= slice3winner2_of_pair_1_6 when slice3winner2_of_four_1_4_is_less else 0;
+      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
+        slice3winner2_pair_index_0_0;
+      slice3winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_0_4_is_less else
+        slice3winner2_pair_index_0_2;
+      slice3winner2_four_index_1_0 <= slice3winner2_pair_index_1_1 when slice3winner2_of_four_1_0_is_less else
+        slice3winner2_pair_index_1_0;
+      slice3winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice3winner2_of_four_1_4_is_less else
+        slice3winner2_pair_index_1_2;
+      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 12)) or
+        (to_unsigned(slice3winner2_of_four_0_3, 12)))) or (to_unsigned(slice3winner2_of_four_0_1, 12)))) or
+        (to_unsigned(slice3winner2_of_four_0_0, 12))));
+      slice3winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_0_5, 12)) or
+        (to_unsigned(slice3winner2_of_four_0_6, 12)))) or (to_unsigned(slice3winner2_of_four_0_4, 12))));
+      slice3winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_1_2, 12)) or
+        (to_unsigned(slice3winner2_of_four_1_3, 12)))) or (to_unsigned(slice3winner2_of_four_1_1, 12)))) or
+        (to_unsigned(slice3winner2_of_four_1_0, 12))));
+      slice3winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice3winner2_of_four_1_5, 12)) or
+        (to_unsigned(slice3winner2_of_four_1_6, 12)))) or (to_unsigned(slice3winner2_of_four_1_4, 12))));
+      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
+      slice3winner2_best_index_0_1 <= slice3winner2_four_index_0_1;
+      slice3winner2_best_index_1_0 <= slice3winner2_four_index_1_0;
+      slice3winner2_best_index_1_1 <= slice3winner2_four_index_1_1;
       -- slice3winner3
-      slice3winner3_best_cost_0_0_is_less := slice3winner2_best_cost_0_1 < slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1_is_less := slice3winner2_best_cost_0_3 < slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_2_is_less := slice3winner2_best_cost_0_5 < slice3winner2_best_cost_0_4;
-      slice3winner3_best_cost_1_0_is_less := slice3winner2_best_cost_1_1 < slice3winner2_best_cost_1_0;
-      slice3winner3_best_cost_1_1_is_less := slice3winner2_best_cost_1_3 < slice3winner2_best_cost_1_2;
-      slice3winner3_best_cost_1_2_is_less := slice3winner2_best_cost_1_5 < slice3winner2_best_cost_1_4;
+      slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
+      slice3winner3_best_cost_1_0_is_less := (slice3winner2_best_cost_1_1 - slice3winner2_best_cost_1_0) < 0;
       slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_cost_0_4;
-      slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
       slice3winner3_best_cost_1_0 <= slice3winner2_best_cost_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_cost_1_0;
-      slice3winner3_best_cost_1_1 <= slice3winner2_best_cost_1_3 when slice3winner3_best_cost_1_1_is_less else
-        slice3winner2_best_cost_1_2;
-      slice3winner3_best_cost_1_2 <= slice3winner2_best_cost_1_5 when slice3winner3_best_cost_1_2_is_less else
-        slice3winner2_best_cost_1_4;
-      slice3winner3_best_cost_1_3 <= slice3winner2_best_cost_1_6;
       slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
         slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
-      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_index_0_4;
       slice3winner3_best_index_1_0 <= slice3winner2_best_index_1_1 when slice3winner3_best_cost_1_0_is_less else
         slice3winner2_best_index_1_0;
-      slice3winner3_best_index_1_1 <= slice3winner2_best_index_1_3 when slice3winner3_best_cost_1_1_is_less else
-        slice3winner2_best_index_1_2;
-      slice3winner3_best_index_1_2 <= slice3winner2_best_index_1_5 when slice3winner3_best_cost_1_2_is_less else
-        slice3winner2_best_index_1_4;
-      -- slice3winner4
-      slice3winner4_best_cost_0_0_is_less := slice3winner3_best_cost_0_1 < slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_1_is_less := slice3winner3_best_cost_0_3 < slice3winner3_best_cost_0_2;
-      slice3winner4_best_cost_1_0_is_less := slice3winner3_best_cost_1_1 < slice3winner3_best_cost_1_0;
-      slice3winner4_best_cost_1_1_is_less := slice3winner3_best_cost_1_3 < slice3winner3_best_cost_1_2;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_cost_0_2;
-      slice3winner4_best_cost_1_0 <= slice3winner3_best_cost_1_1 when slice3winner4_best_cost_1_0_is_less else
-        slice3winner3_best_cost_1_0;
-      slice3winner4_best_cost_1_1 <= slice3winner3_best_cost_1_3 when slice3winner4_best_cost_1_1_is_less else
-        slice3winner3_best_cost_1_2;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
-      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_index_0_2;
-      slice3winner4_best_index_1_0 <= slice3winner3_best_index_1_1 when slice3winner4_best_cost_1_0_is_less else
-        slice3winner3_best_index_1_0;
-      slice3winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_1_1_is_less else
-        slice3winner3_best_index_1_2;
-      -- slice3winner5
-      slice3winner5_best_cost_0_0_is_less := slice3winner4_best_cost_0_1 < slice3winner4_best_cost_0_0;
-      slice3winner5_best_cost_1_0_is_less := slice3winner4_best_cost_1_1 < slice3winner4_best_cost_1_0;
-      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_cost_0_0;
-      slice3winner5_best_cost_1_0 <= slice3winner4_best_cost_1_1 when slice3winner5_best_cost_1_0_is_less else
-        slice3winner4_best_cost_1_0;
-      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_index_0_0;
-      slice3winner5_best_index_1_0 <= slice3winner4_best_index_1_1 when slice3winner5_best_cost_1_0_is_less else
-        slice3winner4_best_index_1_0;
       -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice2_best_cost_0_0 < slice3winner5_best_cost_0_0 else
-        slice3winner5_best_index_0_0;
-      slice3_best_index_1_0 <= slice2_best_index_1_0 when slice2_best_cost_1_0 < slice3winner5_best_cost_1_0 else
-        slice3winner5_best_index_1_0;
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner3_best_cost_0_0) < 0 else
+        slice3winner3_best_index_0_0;
+      slice3_best_index_1_0 <= slice2_best_index_1_0 when (slice2_best_cost_1_0 - slice3winner3_best_cost_1_0) < 0 else
+        slice3winner3_best_index_1_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 121;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -5258,6 +7601,10 @@ begin
         slice0shift_tag_output_column <= false;
         slice0shift_tag_start_of_frame <= false;
         slice0shift_tag_end_of_line <= false;
+        slice0cost_signs_column <= 0;
+        slice0cost_signs_next_column <= 0;
+        slice0cost_signs_difference_column <= 0;
+        slice0cost_signs_write_column <= 0;
         slice0cost_difference_tag_valid <= false;
         slice0cost_difference_tag_output_column <= false;
         slice0cost_difference_tag_start_of_frame <= false;
@@ -5277,10 +7624,26 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -5289,26 +7652,24 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_output_column <= false;
-        slice0winner5_tag_start_of_frame <= false;
-        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
+        slice1cost_signs_difference_column <= 0;
+        slice1cost_signs_write_column <= 0;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
+        slice2cost_signs_difference_column <= 0;
+        slice2cost_signs_write_column <= 0;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;
         slice2_best_tag_start_of_frame <= false;
         slice2_best_tag_end_of_line <= false;
+        slice3cost_signs_difference_column <= 0;
+        slice3cost_signs_write_column <= 0;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;
         slice3_best_tag_start_of_frame <= false;

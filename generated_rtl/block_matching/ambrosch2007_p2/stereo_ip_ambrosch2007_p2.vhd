@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 320,
       gap_groups => 0,
-      core_id => x"ec58ecbe",
+      core_id => x"16d93434",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 220,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 320,
       gap_groups => 0)
     port map (

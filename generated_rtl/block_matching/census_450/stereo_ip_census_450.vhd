@@ -64,7 +64,7 @@ begin
       latency_clocks => 49,
       flush_groups => 2709,
       gap_groups => 1800,
-      core_id => x"52e26bd1",
+      core_id => x"d8b9e11f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

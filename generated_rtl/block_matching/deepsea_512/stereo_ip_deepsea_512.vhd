@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 460,
-      latency_clocks => 27,
+      latency_clocks => 29,
       flush_groups => 3077,
       gap_groups => 1536,
-      core_id => x"f246b30b",
+      core_id => x"310d274d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 460,
-      latency_clocks => 27,
+      latency_clocks => 29,
       flush_groups => 3077,
       gap_groups => 1536)
     port map (

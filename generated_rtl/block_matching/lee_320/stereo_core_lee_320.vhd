@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration lee_320: 320x240, 64 disparities, window 16x16, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration lee_320: 320x240, 64 disparities, window 16x16, 1 pixel pair a clock.
 -- Options: window_px 16, aggregation recursive, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config lee_320
@@ -17,7 +17,7 @@ entity stereo_core_lee_320 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 256;
-    latency_clocks : positive := 21;
+    latency_clocks : positive := 23;
     flush_groups : positive := 2246;
     gap_groups : positive := 2240
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_lee_320: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_lee_320: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 256 report "stereo_core_lee_320: output_width_px is " & integer'image(output_width_px) & " but this core has 256" severity failure;
-  assert latency_clocks = 21 report "stereo_core_lee_320: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert latency_clocks = 23 report "stereo_core_lee_320: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
   assert flush_groups = 2246 report "stereo_core_lee_320: flush_groups is " & integer'image(flush_groups) & " but this core has 2246" severity failure;
   assert gap_groups = 2240 report "stereo_core_lee_320: gap_groups is " & integer'image(gap_groups) & " but this core has 2240" severity failure;
 end entity;
 
 architecture rtl of stereo_core_lee_320 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_lee_320 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -231,11 +229,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
-  signal slice0window_centre_start_of_frame_2, slice0window_centre_start_of_frame_3 : boolean;
-  signal slice0window_centre_start_of_frame_4, slice0window_centre_start_of_frame_5 : boolean;
-  signal slice0window_centre_start_of_frame_6, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_2 : boolean;
+  signal slice0window_centre_start_of_frame_5, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
   signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -4095 to 4095;
   signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -4095 to 4095;
@@ -249,38 +244,46 @@ architecture rtl of stereo_core_lee_320 is
   signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 65535;
   signal slice0window_sum_0_15 : natural range 0 to 65535;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 65535;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 65535;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 65535;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 65535;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 65535;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 65535;
+  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 65535;
+  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 65535;
+  signal slice0winner1_of_pair_0_15, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 65535;
+  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 65535;
+  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 65535;
+  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 65535;
+  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 65535;
+  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15, slice0winner1_best_cost_0_0 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 65535;
+  signal slice0winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 65535;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 65535;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 65535;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
-  -- slice0winner4
-  signal slice0winner4_best_cost_0_0 : natural range 0 to 65535;
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 65535;
+  signal slice0winner2_of_pair_0_3, slice0winner2_of_four_0_0, slice0winner2_of_four_0_1 : natural range 0 to 65535;
+  signal slice0winner2_of_four_0_2, slice0winner2_of_four_0_3, slice0winner2_best_cost_0_0 : natural range 0 to 65535;
+  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 65535;
   signal slice0_best_index_0_0 : natural range 0 to 63;
@@ -367,7 +370,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice1window_change_0_12, slice1window_change_0_13, slice1window_change_0_14 : integer range -4095 to 4095;
   signal slice1window_change_0_15 : integer range -4095 to 4095;
   signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0 : boolean;
-  signal slice1window_centre_first_column_0, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_first_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 65535;
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 65535;
   signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_0_8 : natural range 0 to 65535;
@@ -375,32 +379,38 @@ architecture rtl of stereo_core_lee_320 is
   signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 65535;
   signal slice1window_sum_0_15 : natural range 0 to 65535;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 65535;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 65535;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 65535;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 65535;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 65535;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 65535;
+  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 65535;
+  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 65535;
+  signal slice1winner1_of_pair_0_15, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 65535;
+  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3, slice1winner1_of_four_0_4 : natural range 0 to 65535;
+  signal slice1winner1_of_four_0_5, slice1winner1_of_four_0_6, slice1winner1_of_four_0_7 : natural range 0 to 65535;
+  signal slice1winner1_of_four_0_8, slice1winner1_of_four_0_9, slice1winner1_of_four_0_10 : natural range 0 to 65535;
+  signal slice1winner1_of_four_0_11, slice1winner1_of_four_0_12, slice1winner1_of_four_0_13 : natural range 0 to 65535;
+  signal slice1winner1_of_four_0_14, slice1winner1_of_four_0_15, slice1winner1_best_cost_0_0 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 65535;
+  signal slice1winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 65535;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 65535;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 65535;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  -- slice1winner4
-  signal slice1winner4_best_cost_0_0 : natural range 0 to 65535;
-  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 65535;
+  signal slice1winner2_of_pair_0_3, slice1winner2_of_four_0_0, slice1winner2_of_four_0_1 : natural range 0 to 65535;
+  signal slice1winner2_of_four_0_2, slice1winner2_of_four_0_3, slice1winner2_best_cost_0_0 : natural range 0 to 65535;
+  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 65535;
   signal slice1_best_index_0_0 : natural range 0 to 63;
@@ -487,7 +497,8 @@ architecture rtl of stereo_core_lee_320 is
   signal slice2window_change_0_12, slice2window_change_0_13, slice2window_change_0_14 : integer range -4095 to 4095;
   signal slice2window_change_0_15 : integer range -4095 to 4095;
   signal slice2window_change_tag_leaves_window, slice2window_centre_output_column_0 : boolean;
-  signal slice2window_centre_first_column_0, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_first_column_0, slice2window_centre_start_of_frame_0 : boolean;
+  signal slice2window_centre_start_of_frame_3, slice2window_centre_end_of_line_0 : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 65535;
   signal slice2window_sum_0_3, slice2window_sum_0_4, slice2window_sum_0_5 : natural range 0 to 65535;
   signal slice2window_sum_0_6, slice2window_sum_0_7, slice2window_sum_0_8 : natural range 0 to 65535;
@@ -495,32 +506,38 @@ architecture rtl of stereo_core_lee_320 is
   signal slice2window_sum_0_12, slice2window_sum_0_13, slice2window_sum_0_14 : natural range 0 to 65535;
   signal slice2window_sum_0_15 : natural range 0 to 65535;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 65535;
-  signal slice2winner1_best_cost_0_2, slice2winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice2winner1_best_cost_0_4, slice2winner1_best_cost_0_5 : natural range 0 to 65535;
-  signal slice2winner1_best_cost_0_6, slice2winner1_best_cost_0_7 : natural range 0 to 65535;
-  signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice2winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice2winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice2winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice2winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice2winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice2winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 65535;
+  signal slice2winner1_of_pair_0_3, slice2winner1_of_pair_0_4, slice2winner1_of_pair_0_5 : natural range 0 to 65535;
+  signal slice2winner1_of_pair_0_6, slice2winner1_of_pair_0_7, slice2winner1_of_pair_0_8 : natural range 0 to 65535;
+  signal slice2winner1_of_pair_0_9, slice2winner1_of_pair_0_10, slice2winner1_of_pair_0_11 : natural range 0 to 65535;
+  signal slice2winner1_of_pair_0_12, slice2winner1_of_pair_0_13, slice2winner1_of_pair_0_14 : natural range 0 to 65535;
+  signal slice2winner1_of_pair_0_15, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 65535;
+  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3, slice2winner1_of_four_0_4 : natural range 0 to 65535;
+  signal slice2winner1_of_four_0_5, slice2winner1_of_four_0_6, slice2winner1_of_four_0_7 : natural range 0 to 65535;
+  signal slice2winner1_of_four_0_8, slice2winner1_of_four_0_9, slice2winner1_of_four_0_10 : natural range 0 to 65535;
+  signal slice2winner1_of_four_0_11, slice2winner1_of_four_0_12, slice2winner1_of_four_0_13 : natural range 0 to 65535;
+  signal slice2winner1_of_four_0_14, slice2winner1_of_four_0_15, slice2winner1_best_cost_0_0 : natural range 0 to 65535;
+  signal slice2winner1_best_cost_0_1, slice2winner1_best_cost_0_2 : natural range 0 to 65535;
+  signal slice2winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice2winner1_pair_index_0_0 : boolean;
+  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice2winner1_pair_index_0_3, slice2winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice2winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice2winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice2winner1_pair_index_0_5, slice2winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice2winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice2winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice2winner1_pair_index_0_7, slice2winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice2winner1_best_index_0_3 : natural range 0 to 15;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_0_1 : natural range 0 to 65535;
-  signal slice2winner2_best_cost_0_2, slice2winner2_best_cost_0_3 : natural range 0 to 65535;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice2winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice2winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice2winner2_best_index_0_3 : natural range 0 to 15;
-  -- slice2winner3
-  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_0_1 : natural range 0 to 65535;
-  signal slice2winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice2winner3_best_index_0_1 : natural range 0 to 15;
-  -- slice2winner4
-  signal slice2winner4_best_cost_0_0 : natural range 0 to 65535;
-  signal slice2winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice2winner2_of_pair_0_0, slice2winner2_of_pair_0_1, slice2winner2_of_pair_0_2 : natural range 0 to 65535;
+  signal slice2winner2_of_pair_0_3, slice2winner2_of_four_0_0, slice2winner2_of_four_0_1 : natural range 0 to 65535;
+  signal slice2winner2_of_four_0_2, slice2winner2_of_four_0_3, slice2winner2_best_cost_0_0 : natural range 0 to 65535;
+  signal slice2winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice2winner2_pair_index_0_1, slice2winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice2winner2_best_index_0_0 : natural range 0 to 15;
   -- slice2
   signal slice2_best_cost_0_0 : natural range 0 to 65535;
   signal slice2_best_index_0_0 : natural range 0 to 63;
@@ -615,36 +632,43 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3window_centre_output_column_0, slice3window_centre_output_column_1 : boolean;
   signal slice3window_centre_output_column_2, slice3window_centre_output_column_3 : boolean;
   signal slice3window_centre_output_column_4, slice3window_centre_output_column_5 : boolean;
+  signal slice3window_centre_start_of_frame_1, slice3window_centre_start_of_frame_4 : boolean;
   signal slice3window_centre_end_of_line_0, slice3window_centre_end_of_line_1 : boolean;
   signal slice3window_centre_end_of_line_2, slice3window_centre_end_of_line_3 : boolean;
   signal slice3window_centre_end_of_line_4, slice3window_centre_end_of_line_5 : boolean;
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 65535;
-  signal slice3winner1_best_cost_0_2, slice3winner1_best_cost_0_3 : natural range 0 to 65535;
-  signal slice3winner1_best_cost_0_4, slice3winner1_best_cost_0_5 : natural range 0 to 65535;
-  signal slice3winner1_best_cost_0_6, slice3winner1_best_cost_0_7 : natural range 0 to 65535;
-  signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice3winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice3winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice3winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice3winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice3winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice3winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 65535;
+  signal slice3winner1_of_pair_0_3, slice3winner1_of_pair_0_4, slice3winner1_of_pair_0_5 : natural range 0 to 65535;
+  signal slice3winner1_of_pair_0_6, slice3winner1_of_pair_0_7, slice3winner1_of_pair_0_8 : natural range 0 to 65535;
+  signal slice3winner1_of_pair_0_9, slice3winner1_of_pair_0_10, slice3winner1_of_pair_0_11 : natural range 0 to 65535;
+  signal slice3winner1_of_pair_0_12, slice3winner1_of_pair_0_13, slice3winner1_of_pair_0_14 : natural range 0 to 65535;
+  signal slice3winner1_of_pair_0_15, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 65535;
+  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3, slice3winner1_of_four_0_4 : natural range 0 to 65535;
+  signal slice3winner1_of_four_0_5, slice3winner1_of_four_0_6, slice3winner1_of_four_0_7 : natural range 0 to 65535;
+  signal slice3winner1_of_four_0_8, slice3winner1_of_four_0_9, slice3winner1_of_four_0_10 : natural range 0 to 65535;
+  signal slice3winner1_of_four_0_11, slice3winner1_of_four_0_12, slice3winner1_of_four_0_13 : natural range 0 to 65535;
+  signal slice3winner1_of_four_0_14, slice3winner1_of_four_0_15, slice3winner1_best_cost_0_0 : natural range 0 to 65535;
+  signal slice3winner1_best_cost_0_1, slice3winner1_best_cost_0_2 : natural range 0 to 65535;
+  signal slice3winner1_best_cost_0_3 : natural range 0 to 65535;
+  signal slice3winner1_pair_index_0_0 : boolean;
+  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice3winner1_pair_index_0_3, slice3winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice3winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice3winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice3winner1_pair_index_0_5, slice3winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice3winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice3winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice3winner1_pair_index_0_7, slice3winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice3winner1_best_index_0_3 : natural range 0 to 15;
   -- slice3winner2
-  signal slice3winner2_best_cost_0_0, slice3winner2_best_cost_0_1 : natural range 0 to 65535;
-  signal slice3winner2_best_cost_0_2, slice3winner2_best_cost_0_3 : natural range 0 to 65535;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice3winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice3winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice3winner2_best_index_0_3 : natural range 0 to 15;
-  -- slice3winner3
-  signal slice3winner3_best_cost_0_0, slice3winner3_best_cost_0_1 : natural range 0 to 65535;
-  signal slice3winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice3winner3_best_index_0_1 : natural range 0 to 15;
-  -- slice3winner4
-  signal slice3winner4_best_cost_0_0 : natural range 0 to 65535;
-  signal slice3winner4_best_index_0_0 : natural range 0 to 15;
+  signal slice3winner2_of_pair_0_0, slice3winner2_of_pair_0_1, slice3winner2_of_pair_0_2 : natural range 0 to 65535;
+  signal slice3winner2_of_pair_0_3, slice3winner2_of_four_0_0, slice3winner2_of_four_0_1 : natural range 0 to 65535;
+  signal slice3winner2_of_four_0_2, slice3winner2_of_four_0_3, slice3winner2_best_cost_0_0 : natural range 0 to 65535;
+  signal slice3winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice3winner2_pair_index_0_1, slice3winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice3winner2_best_index_0_0 : natural range 0 to 15;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 63;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
@@ -803,7 +827,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_7,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_7,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_7_memory_write_data);
 
   slice3cost_read_words_6_memory_write_data <= to_unsigned(slice3cost_write_words_6, 24);
@@ -811,7 +835,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_6,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_6,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_6_memory_write_data);
 
   slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words_5, 24);
@@ -819,7 +843,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_5,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_5,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
 
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 24);
@@ -827,7 +851,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_4,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_4,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
 
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 24);
@@ -835,7 +859,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_3,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_3,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
 
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 24);
@@ -843,7 +867,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_2,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_2,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
 
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 24);
@@ -851,7 +875,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_1,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_1,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
 
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 24);
@@ -859,7 +883,7 @@ begin
     generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_0,
+      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_0,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
 
   slice2window_leaving_7_memory_write_data <= to_unsigned(slice2cost_column_0_15, 12) & to_unsigned(slice2cost_column_0_14, 12);
@@ -1188,7 +1212,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_7,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_7_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_7_memory_write_data);
 
   slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words_6, 24);
   slice0cost_read_words_6_memory : entity work.line_memory
@@ -1196,7 +1220,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_6,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_6_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_6_memory_write_data);
 
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 24);
   slice0cost_read_words_5_memory : entity work.line_memory
@@ -1204,7 +1228,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_5_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_5_memory_write_data);
 
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 24);
   slice0cost_read_words_4_memory : entity work.line_memory
@@ -1212,7 +1236,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_4_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 24);
   slice0cost_read_words_3_memory : entity work.line_memory
@@ -1220,7 +1244,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_3_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 24);
   slice0cost_read_words_2_memory : entity work.line_memory
@@ -1228,7 +1252,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_2_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 24);
   slice0cost_read_words_1_memory : entity work.line_memory
@@ -1236,7 +1260,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_1_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
@@ -1244,7 +1268,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_0_memory_write_data);
+      write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_3_memory_write_data <= rows_search_rows_write_words_3;
   rows_search_rows_read_words_3_memory : entity work.line_memory
@@ -1320,37 +1344,37 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
-    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner1_best_cost_0_7_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_3_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_1_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_1_is_less, slice2winner1_best_cost_0_2_is_less : boolean;
-    variable slice2winner1_best_cost_0_3_is_less, slice2winner1_best_cost_0_4_is_less : boolean;
-    variable slice2winner1_best_cost_0_5_is_less, slice2winner1_best_cost_0_6_is_less : boolean;
-    variable slice2winner1_best_cost_0_7_is_less, slice2winner2_best_cost_0_0_is_less : boolean;
-    variable slice2winner2_best_cost_0_1_is_less, slice2winner2_best_cost_0_2_is_less : boolean;
-    variable slice2winner2_best_cost_0_3_is_less, slice2winner3_best_cost_0_0_is_less : boolean;
-    variable slice2winner3_best_cost_0_1_is_less, slice2winner4_best_cost_0_0_is_less : boolean;
-    variable slice2_best_cost_0_0_is_less, slice3winner1_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_1_is_less, slice3winner1_best_cost_0_2_is_less : boolean;
-    variable slice3winner1_best_cost_0_3_is_less, slice3winner1_best_cost_0_4_is_less : boolean;
-    variable slice3winner1_best_cost_0_5_is_less, slice3winner1_best_cost_0_6_is_less : boolean;
-    variable slice3winner1_best_cost_0_7_is_less, slice3winner2_best_cost_0_0_is_less : boolean;
-    variable slice3winner2_best_cost_0_1_is_less, slice3winner2_best_cost_0_2_is_less : boolean;
-    variable slice3winner2_best_cost_0_3_is_less, slice3winner3_best_cost_0_0_is_less : boolean;
-    variable slice3winner3_best_cost_0_1_is_less, slice3winner4_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_pair_0_8_is_less, slice0winner1_of_pair_0_10_is_less : boolean;
+    variable slice0winner1_of_pair_0_12_is_less, slice0winner1_of_pair_0_14_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner1_of_four_0_8_is_less, slice0winner1_of_four_0_12_is_less : boolean;
+    variable slice0winner2_of_pair_0_0_is_less, slice0winner2_of_pair_0_2_is_less : boolean;
+    variable slice0winner2_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
+    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
+    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
+    variable slice1winner1_of_four_0_12_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
+    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_four_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
+    variable slice2winner1_of_pair_0_2_is_less, slice2winner1_of_pair_0_4_is_less : boolean;
+    variable slice2winner1_of_pair_0_6_is_less, slice2winner1_of_pair_0_8_is_less : boolean;
+    variable slice2winner1_of_pair_0_10_is_less, slice2winner1_of_pair_0_12_is_less : boolean;
+    variable slice2winner1_of_pair_0_14_is_less, slice2winner1_of_four_0_0_is_less : boolean;
+    variable slice2winner1_of_four_0_4_is_less, slice2winner1_of_four_0_8_is_less : boolean;
+    variable slice2winner1_of_four_0_12_is_less, slice2winner2_of_pair_0_0_is_less : boolean;
+    variable slice2winner2_of_pair_0_2_is_less, slice2winner2_of_four_0_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
+    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_pair_0_4_is_less : boolean;
+    variable slice3winner1_of_pair_0_6_is_less, slice3winner1_of_pair_0_8_is_less : boolean;
+    variable slice3winner1_of_pair_0_10_is_less, slice3winner1_of_pair_0_12_is_less : boolean;
+    variable slice3winner1_of_pair_0_14_is_less, slice3winner1_of_four_0_0_is_less : boolean;
+    variable slice3winner1_of_four_0_4_is_less, slice3winner1_of_four_0_8_is_less : boolean;
+    variable slice3winner1_of_four_0_12_is_less, slice3winner2_of_pair_0_0_is_less : boolean;
+    variable slice3winner2_of_pair_0_2_is_less, slice3winner2_of_four_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -1512,8 +1536,8 @@ begin
       delay_tag_border_column <= raster_place_column < 63;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= ((raster_place_column + 65457) mod 65536) < 65464;
-      delay_tag_output_column <= (((raster_place_group + 65529) mod 65536) < 240) and (((raster_place_column + 65473)
-        mod 65536) < 256);
+      delay_tag_output_column <= (raster_place_group >= 7) and (raster_place_group < 247) and (raster_place_column >=
+        63) and (raster_place_column < 319);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 7);
       delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
@@ -1859,7 +1883,7 @@ begin
         slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
       end if;
       if slice0cost_ready_tag_valid then
-        slice0cost_write_column <= 0 when slice0cost_ready_tag_row_start else (slice0cost_write_column + 1) mod 512;
+        slice0cost_write_column <= slice0cost_ready_column;
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 4096) + slice0cost_column_0_0_choice_2;
         slice0cost_write_words_1 <= (slice0cost_column_0_3_choice_2 * 4096) + slice0cost_column_0_2_choice_2;
         slice0cost_write_words_2 <= (slice0cost_column_0_5_choice_2 * 4096) + slice0cost_column_0_4_choice_2;
@@ -2006,8 +2030,6 @@ begin
       slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
       slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
-      slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
@@ -2044,109 +2066,150 @@ begin
         slice0window_sum_0_14 <= (slice0window_sum_0_14_choice + slice0window_change_0_14) mod 65536;
         slice0window_sum_0_15 <= (slice0window_sum_0_15_choice + slice0window_change_0_15) mod 65536;
       end if;
-      if slice0winner2_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
-        slice0window_centre_start_of_frame_4 <= slice0window_centre_start_of_frame_3;
-        slice0window_centre_start_of_frame_5 <= slice0window_centre_start_of_frame_4;
-        slice0window_centre_start_of_frame_6 <= slice0window_centre_start_of_frame_5;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_6;
+      if slice0winner1_four_tag_valid then
+        slice0window_centre_start_of_frame_2 <= slice2window_centre_start_of_frame_0;
+        slice0window_centre_start_of_frame_5 <= slice2window_centre_start_of_frame_3;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 16))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 16))))) < 0;
+      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_9, 16))))) < 0;
+      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 16)) or
+        (to_unsigned(slice0winner1_of_pair_0_13, 16))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
+      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
+      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
+      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
+      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
+      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
+      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
+      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
+      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
+      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
+      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
+      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
+      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
+      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
+      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
+        slice0winner1_pair_index_0_4;
+      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
+        slice0winner1_pair_index_0_6;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 16)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 16)))) or (to_unsigned(slice0winner1_of_four_0_1, 16)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 16))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 16)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 16)))) or (to_unsigned(slice0winner1_of_four_0_5, 16)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 16))));
+      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 16)) or
+        (to_unsigned(slice0winner1_of_four_0_11, 16)))) or (to_unsigned(slice0winner1_of_four_0_9, 16)))) or
+        (to_unsigned(slice0winner1_of_four_0_8, 16))));
+      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 16)) or
+        (to_unsigned(slice0winner1_of_four_0_15, 16)))) or (to_unsigned(slice0winner1_of_four_0_13, 16)))) or
+        (to_unsigned(slice0winner1_of_four_0_12, 16))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
+      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_four_tag_valid then
+        slice0winner1_pair_tag_start_of_frame <= slice3window_centre_start_of_frame_4;
+        slice0winner1_four_tag_output_column <= slice3window_centre_output_column_5;
+        slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+        slice0winner1_four_tag_end_of_line <= slice3window_centre_end_of_line_5;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 16)) or
+        (to_unsigned(slice0winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 16)) or
+        (to_unsigned(slice0winner2_of_pair_0_1, 16))))) < 0;
+      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
+      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
+      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
+      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
+      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_5;
-      end if;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
+      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
+      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
+        slice0winner2_pair_index_0_0;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
+      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 16)) or
+        (to_unsigned(slice0winner2_of_four_0_3, 16)))) or (to_unsigned(slice0winner2_of_four_0_1, 16)))) or
+        (to_unsigned(slice0winner2_of_four_0_0, 16))));
+      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 48;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 48;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2355,7 +2418,6 @@ begin
       slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
       slice1cost_ready_words_6 <= to_integer(slice1cost_read_words_6);
       slice1cost_ready_words_7 <= to_integer(slice1cost_read_words_7);
-      slice1cost_ready_column <= slice1cost_change_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
@@ -2372,13 +2434,16 @@ begin
       slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
       slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
-      slice1cost_write_column <= slice0cost_write_column;
+      slice1cost_write_column <= slice1cost_ready_column;
       if slice0cost_pixels_first_tag_valid then
         slice1cost_read_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice1cost_read_column + 1) mod
           512;
       end if;
       if slice0cost_pixels_tag_valid then
         slice1cost_change_column <= 0 when slice0cost_pixels_tag_row_start else (slice1cost_change_column + 1) mod 512;
+      end if;
+      if slice0cost_ready_tag_valid then
+        slice1cost_ready_column <= 0 when slice0cost_ready_tag_row_start else (slice1cost_ready_column + 1) mod 512;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 4096) + slice1cost_column_0_0_choice_2;
@@ -2511,6 +2576,7 @@ begin
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
       slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
@@ -2547,81 +2613,119 @@ begin
         slice1window_sum_0_15 <= (slice1window_sum_0_15_choice + slice1window_change_0_15) mod 65536;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 16))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 16))))) < 0;
+      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_9, 16))))) < 0;
+      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 16)) or
+        (to_unsigned(slice1winner1_of_pair_0_13, 16))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
+      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
+      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
+      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
+      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
+      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
+      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
+      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
+      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
+      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
+      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
+      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
+      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
+      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
+      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
+        slice1winner1_pair_index_0_4;
+      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
+        slice1winner1_pair_index_0_6;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 16)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 16)))) or (to_unsigned(slice1winner1_of_four_0_1, 16)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 16))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 16)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 16)))) or (to_unsigned(slice1winner1_of_four_0_5, 16)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 16))));
+      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 16)) or
+        (to_unsigned(slice1winner1_of_four_0_11, 16)))) or (to_unsigned(slice1winner1_of_four_0_9, 16)))) or
+        (to_unsigned(slice1winner1_of_four_0_8, 16))));
+      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 16)) or
+        (to_unsigned(slice1winner1_of_four_0_15, 16)))) or (to_unsigned(slice1winner1_of_four_0_13, 16)))) or
+        (to_unsigned(slice1winner1_of_four_0_12, 16))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
+      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2_is_less := slice1winner1_best_cost_0_5 < slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3_is_less := slice1winner1_best_cost_0_7 < slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 16)) or
+        (to_unsigned(slice1winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 16)) or
+        (to_unsigned(slice1winner2_of_pair_0_1, 16))))) < 0;
+      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
+      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
+      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
+      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
+        slice1winner1_best_index_0_0;
+      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1_is_less := slice1winner2_best_cost_0_3 < slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := slice1winner3_best_cost_0_1 < slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
+      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
+      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
+      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
+        slice1winner2_pair_index_0_0;
+      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 16)) or
+        (to_unsigned(slice1winner2_of_four_0_3, 16)))) or (to_unsigned(slice1winner2_of_four_0_1, 16)))) or
+        (to_unsigned(slice1winner2_of_four_0_0, 16))));
+      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner4_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0 + 32;
+        slice1winner2_best_index_0_0 + 32;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2822,7 +2926,7 @@ begin
       slice2cost_pixels_cost_1_15 <= (folded(slice2cost_pixels_first_1_15) + as_number((slice2cost_pixels_first_1_15 <
         0))) mod 256;
       slice2cost_read_column <= slice1cost_read_column;
-      slice2cost_change_column <= slice2cost_read_column;
+      slice2cost_change_column <= slice1cost_change_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_change_0_2 <= slice2cost_pixels_cost_1_2 - slice2cost_pixels_cost_0_2;
@@ -2847,7 +2951,7 @@ begin
       slice2cost_ready_words_5 <= to_integer(slice2cost_read_words_5);
       slice2cost_ready_words_6 <= to_integer(slice2cost_read_words_6);
       slice2cost_ready_words_7 <= to_integer(slice2cost_read_words_7);
-      slice2cost_ready_column <= slice1cost_ready_column;
+      slice2cost_ready_column <= slice2cost_change_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
       slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
@@ -2996,6 +3100,7 @@ begin
       slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
       slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
+      slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
@@ -3013,7 +3118,7 @@ begin
       slice2window_sum_0_13_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_13;
       slice2window_sum_0_14_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_14;
       slice2window_sum_0_15_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_15;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 65536;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 65536;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 65536;
@@ -3031,82 +3136,123 @@ begin
         slice2window_sum_0_14 <= (slice2window_sum_0_14_choice + slice2window_change_0_14) mod 65536;
         slice2window_sum_0_15 <= (slice2window_sum_0_15_choice + slice2window_change_0_15) mod 65536;
       end if;
+      if slice0winner1_four_tag_valid then
+        slice2window_centre_start_of_frame_3 <= slice3window_centre_start_of_frame_1;
+      end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2_is_less := slice2window_sum_0_5 < slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3_is_less := slice2window_sum_0_7 < slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4_is_less := slice2window_sum_0_9 < slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5_is_less := slice2window_sum_0_11 < slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6_is_less := slice2window_sum_0_13 < slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7_is_less := slice2window_sum_0_15 < slice2window_sum_0_14;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_of_pair_0_4_is_less := (slice2window_sum_0_5 - slice2window_sum_0_4) < 0;
+      slice2winner1_of_pair_0_6_is_less := (slice2window_sum_0_7 - slice2window_sum_0_6) < 0;
+      slice2winner1_of_pair_0_8_is_less := (slice2window_sum_0_9 - slice2window_sum_0_8) < 0;
+      slice2winner1_of_pair_0_10_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
+      slice2winner1_of_pair_0_12_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
+      slice2winner1_of_pair_0_14_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
+      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_1, 16))))) < 0;
+      slice2winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_6, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_4, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_5, 16))))) < 0;
+      slice2winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_10, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_8, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_9, 16))))) < 0;
+      slice2winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_14, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_12, 16)) or
+        (to_unsigned(slice2winner1_of_pair_0_13, 16))))) < 0;
+      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
+      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
+      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
+      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
+      slice2winner1_of_pair_0_4 <= 0 when slice2winner1_of_pair_0_4_is_less else slice2window_sum_0_4;
+      slice2winner1_of_pair_0_5 <= slice2window_sum_0_5 when slice2winner1_of_pair_0_4_is_less else 0;
+      slice2winner1_of_pair_0_6 <= 0 when slice2winner1_of_pair_0_6_is_less else slice2window_sum_0_6;
+      slice2winner1_of_pair_0_7 <= slice2window_sum_0_7 when slice2winner1_of_pair_0_6_is_less else 0;
+      slice2winner1_of_pair_0_8 <= 0 when slice2winner1_of_pair_0_8_is_less else slice2window_sum_0_8;
+      slice2winner1_of_pair_0_9 <= slice2window_sum_0_9 when slice2winner1_of_pair_0_8_is_less else 0;
+      slice2winner1_of_pair_0_10 <= 0 when slice2winner1_of_pair_0_10_is_less else slice2window_sum_0_10;
+      slice2winner1_of_pair_0_11 <= slice2window_sum_0_11 when slice2winner1_of_pair_0_10_is_less else 0;
+      slice2winner1_of_pair_0_12 <= 0 when slice2winner1_of_pair_0_12_is_less else slice2window_sum_0_12;
+      slice2winner1_of_pair_0_13 <= slice2window_sum_0_13 when slice2winner1_of_pair_0_12_is_less else 0;
+      slice2winner1_of_pair_0_14 <= 0 when slice2winner1_of_pair_0_14_is_less else slice2window_sum_0_14;
+      slice2winner1_of_pair_0_15 <= slice2window_sum_0_15 when slice2winner1_of_pair_0_14_is_less else 0;
+      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
+      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
+      slice2winner1_pair_index_0_2 <= 5 when slice2winner1_of_pair_0_4_is_less else 4;
+      slice2winner1_pair_index_0_3 <= 7 when slice2winner1_of_pair_0_6_is_less else 6;
+      slice2winner1_pair_index_0_4 <= 9 when slice2winner1_of_pair_0_8_is_less else 8;
+      slice2winner1_pair_index_0_5 <= 11 when slice2winner1_of_pair_0_10_is_less else 10;
+      slice2winner1_pair_index_0_6 <= 13 when slice2winner1_of_pair_0_12_is_less else 12;
+      slice2winner1_pair_index_0_7 <= 15 when slice2winner1_of_pair_0_14_is_less else 14;
+      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
+      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
+      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_0_4 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_4;
+      slice2winner1_of_four_0_5 <= 0 when slice2winner1_of_four_0_4_is_less else slice2winner1_of_pair_0_5;
+      slice2winner1_of_four_0_6 <= slice2winner1_of_pair_0_6 when slice2winner1_of_four_0_4_is_less else 0;
+      slice2winner1_of_four_0_7 <= slice2winner1_of_pair_0_7 when slice2winner1_of_four_0_4_is_less else 0;
+      slice2winner1_of_four_0_8 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_8;
+      slice2winner1_of_four_0_9 <= 0 when slice2winner1_of_four_0_8_is_less else slice2winner1_of_pair_0_9;
+      slice2winner1_of_four_0_10 <= slice2winner1_of_pair_0_10 when slice2winner1_of_four_0_8_is_less else 0;
+      slice2winner1_of_four_0_11 <= slice2winner1_of_pair_0_11 when slice2winner1_of_four_0_8_is_less else 0;
+      slice2winner1_of_four_0_12 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_12;
+      slice2winner1_of_four_0_13 <= 0 when slice2winner1_of_four_0_12_is_less else slice2winner1_of_pair_0_13;
+      slice2winner1_of_four_0_14 <= slice2winner1_of_pair_0_14 when slice2winner1_of_four_0_12_is_less else 0;
+      slice2winner1_of_four_0_15 <= slice2winner1_of_pair_0_15 when slice2winner1_of_four_0_12_is_less else 0;
+      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
+        as_number(slice2winner1_pair_index_0_0);
+      slice2winner1_four_index_0_1 <= slice2winner1_pair_index_0_3 when slice2winner1_of_four_0_4_is_less else
+        slice2winner1_pair_index_0_2;
+      slice2winner1_four_index_0_2 <= slice2winner1_pair_index_0_5 when slice2winner1_of_four_0_8_is_less else
+        slice2winner1_pair_index_0_4;
+      slice2winner1_four_index_0_3 <= slice2winner1_pair_index_0_7 when slice2winner1_of_four_0_12_is_less else
+        slice2winner1_pair_index_0_6;
+      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 16)) or
+        (to_unsigned(slice2winner1_of_four_0_3, 16)))) or (to_unsigned(slice2winner1_of_four_0_1, 16)))) or
+        (to_unsigned(slice2winner1_of_four_0_0, 16))));
+      slice2winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_6, 16)) or
+        (to_unsigned(slice2winner1_of_four_0_7, 16)))) or (to_unsigned(slice2winner1_of_four_0_5, 16)))) or
+        (to_unsigned(slice2winner1_of_four_0_4, 16))));
+      slice2winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_10, 16)) or
+        (to_unsigned(slice2winner1_of_four_0_11, 16)))) or (to_unsigned(slice2winner1_of_four_0_9, 16)))) or
+        (to_unsigned(slice2winner1_of_four_0_8, 16))));
+      slice2winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_14, 16)) or
+        (to_unsigned(slice2winner1_of_four_0_15, 16)))) or (to_unsigned(slice2winner1_of_four_0_13, 16)))) or
+        (to_unsigned(slice2winner1_of_four_0_12, 16))));
+      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
+      slice2winner1_best_index_0_1 <= slice2winner1_four_index_0_1;
+      slice2winner1_best_index_0_2 <= slice2winner1_four_index_0_2;
+      slice2winner1_best_index_0_3 <= slice2winner1_four_index_0_3;
       -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1_is_less := slice2winner1_best_cost_0_3 < slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2_is_less := slice2winner1_best_cost_0_5 < slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3_is_less := slice2winner1_best_cost_0_7 < slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
+      slice2winner2_of_pair_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
+      slice2winner2_of_pair_0_2_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
+      slice2winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner2_of_pair_0_2, 16)) or
+        (to_unsigned(slice2winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice2winner2_of_pair_0_0, 16)) or
+        (to_unsigned(slice2winner2_of_pair_0_1, 16))))) < 0;
+      slice2winner2_of_pair_0_0 <= 0 when slice2winner2_of_pair_0_0_is_less else slice2winner1_best_cost_0_0;
+      slice2winner2_of_pair_0_1 <= slice2winner1_best_cost_0_1 when slice2winner2_of_pair_0_0_is_less else 0;
+      slice2winner2_of_pair_0_2 <= 0 when slice2winner2_of_pair_0_2_is_less else slice2winner1_best_cost_0_2;
+      slice2winner2_of_pair_0_3 <= slice2winner1_best_cost_0_3 when slice2winner2_of_pair_0_2_is_less else 0;
+      slice2winner2_pair_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_of_pair_0_0_is_less else
+        slice2winner1_best_index_0_0;
+      slice2winner2_pair_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_of_pair_0_2_is_less else
         slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      -- slice2winner3
-      slice2winner3_best_cost_0_0_is_less := slice2winner2_best_cost_0_1 < slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1_is_less := slice2winner2_best_cost_0_3 < slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      -- slice2winner4
-      slice2winner4_best_cost_0_0_is_less := slice2winner3_best_cost_0_1 < slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
+      slice2winner2_of_four_0_0 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_0;
+      slice2winner2_of_four_0_1 <= 0 when slice2winner2_of_four_0_0_is_less else slice2winner2_of_pair_0_1;
+      slice2winner2_of_four_0_2 <= slice2winner2_of_pair_0_2 when slice2winner2_of_four_0_0_is_less else 0;
+      slice2winner2_of_four_0_3 <= slice2winner2_of_pair_0_3 when slice2winner2_of_four_0_0_is_less else 0;
+      slice2winner2_four_index_0_0 <= slice2winner2_pair_index_0_1 when slice2winner2_of_four_0_0_is_less else
+        slice2winner2_pair_index_0_0;
+      slice2winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner2_of_four_0_2, 16)) or
+        (to_unsigned(slice2winner2_of_four_0_3, 16)))) or (to_unsigned(slice2winner2_of_four_0_1, 16)))) or
+        (to_unsigned(slice2winner2_of_four_0_0, 16))));
+      slice2winner2_best_index_0_0 <= slice2winner2_four_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice1_best_cost_0_0 < slice2winner4_best_cost_0_0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner4_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner2_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0 + 16;
+        slice2winner2_best_index_0_0 + 16;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -3296,6 +3442,7 @@ begin
         0))) mod 256;
       slice3cost_pixels_cost_1_15 <= (folded(slice3cost_pixels_first_1_15) + as_number((slice3cost_pixels_first_1_15 <
         0))) mod 256;
+      slice3cost_read_column <= slice2cost_read_column;
       slice3cost_change_0_0 <= slice3cost_pixels_cost_1_0 - slice3cost_pixels_cost_0_0;
       slice3cost_change_0_1 <= slice3cost_pixels_cost_1_1 - slice3cost_pixels_cost_0_1;
       slice3cost_change_0_2 <= slice3cost_pixels_cost_1_2 - slice3cost_pixels_cost_0_2;
@@ -3336,11 +3483,8 @@ begin
       slice3cost_column_0_13 <= slice3cost_column_0_13_choice_2;
       slice3cost_column_0_14 <= slice3cost_column_0_14_choice_2;
       slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
-      if slice0cost_ready_tag_valid then
-        slice3cost_read_column <= slice0cost_ready_column;
-      end if;
       if slice0cost_tag_valid then
-        slice3cost_change_column <= slice2cost_change_column;
+        slice3cost_change_column <= slice3cost_read_column;
       end if;
       if slice0window_entering_tag_valid then
         slice3cost_ready_column <= slice2cost_ready_column;
@@ -3490,7 +3634,7 @@ begin
       slice3window_sum_0_13_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_13;
       slice3window_sum_0_14_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_14;
       slice3window_sum_0_15_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_15;
-      if slice0winner2_tag_valid then
+      if slice0winner1_four_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 65536;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 65536;
         slice3window_sum_0_2 <= (slice3window_sum_0_2_choice + slice3window_change_0_2) mod 65536;
@@ -3513,6 +3657,8 @@ begin
         slice3window_centre_output_column_3 <= slice3window_centre_output_column_2;
         slice3window_centre_output_column_4 <= slice3window_centre_output_column_3;
         slice3window_centre_output_column_5 <= slice3window_centre_output_column_4;
+        slice3window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_2;
+        slice3window_centre_start_of_frame_4 <= slice0window_centre_start_of_frame_5;
         slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
         slice3window_centre_end_of_line_1 <= slice3window_centre_end_of_line_0;
         slice3window_centre_end_of_line_2 <= slice3window_centre_end_of_line_1;
@@ -3521,79 +3667,117 @@ begin
         slice3window_centre_end_of_line_5 <= slice3window_centre_end_of_line_4;
       end if;
       -- slice3winner1
-      slice3winner1_best_cost_0_0_is_less := slice3window_sum_0_1 < slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1_is_less := slice3window_sum_0_3 < slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2_is_less := slice3window_sum_0_5 < slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3_is_less := slice3window_sum_0_7 < slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4_is_less := slice3window_sum_0_9 < slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5_is_less := slice3window_sum_0_11 < slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6_is_less := slice3window_sum_0_13 < slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7_is_less := slice3window_sum_0_15 < slice3window_sum_0_14;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_of_pair_0_4_is_less := (slice3window_sum_0_5 - slice3window_sum_0_4) < 0;
+      slice3winner1_of_pair_0_6_is_less := (slice3window_sum_0_7 - slice3window_sum_0_6) < 0;
+      slice3winner1_of_pair_0_8_is_less := (slice3window_sum_0_9 - slice3window_sum_0_8) < 0;
+      slice3winner1_of_pair_0_10_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
+      slice3winner1_of_pair_0_12_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
+      slice3winner1_of_pair_0_14_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
+      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_1, 16))))) < 0;
+      slice3winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_6, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_7, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_4, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_5, 16))))) < 0;
+      slice3winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_10, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_11, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_8, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_9, 16))))) < 0;
+      slice3winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_14, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_15, 16)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_12, 16)) or
+        (to_unsigned(slice3winner1_of_pair_0_13, 16))))) < 0;
+      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
+      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
+      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
+      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
+      slice3winner1_of_pair_0_4 <= 0 when slice3winner1_of_pair_0_4_is_less else slice3window_sum_0_4;
+      slice3winner1_of_pair_0_5 <= slice3window_sum_0_5 when slice3winner1_of_pair_0_4_is_less else 0;
+      slice3winner1_of_pair_0_6 <= 0 when slice3winner1_of_pair_0_6_is_less else slice3window_sum_0_6;
+      slice3winner1_of_pair_0_7 <= slice3window_sum_0_7 when slice3winner1_of_pair_0_6_is_less else 0;
+      slice3winner1_of_pair_0_8 <= 0 when slice3winner1_of_pair_0_8_is_less else slice3window_sum_0_8;
+      slice3winner1_of_pair_0_9 <= slice3window_sum_0_9 when slice3winner1_of_pair_0_8_is_less else 0;
+      slice3winner1_of_pair_0_10 <= 0 when slice3winner1_of_pair_0_10_is_less else slice3window_sum_0_10;
+      slice3winner1_of_pair_0_11 <= slice3window_sum_0_11 when slice3winner1_of_pair_0_10_is_less else 0;
+      slice3winner1_of_pair_0_12 <= 0 when slice3winner1_of_pair_0_12_is_less else slice3window_sum_0_12;
+      slice3winner1_of_pair_0_13 <= slice3window_sum_0_13 when slice3winner1_of_pair_0_12_is_less else 0;
+      slice3winner1_of_pair_0_14 <= 0 when slice3winner1_of_pair_0_14_is_less else slice3window_sum_0_14;
+      slice3winner1_of_pair_0_15 <= slice3window_sum_0_15 when slice3winner1_of_pair_0_14_is_less else 0;
+      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
+      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
+      slice3winner1_pair_index_0_2 <= 5 when slice3winner1_of_pair_0_4_is_less else 4;
+      slice3winner1_pair_index_0_3 <= 7 when slice3winner1_of_pair_0_6_is_less else 6;
+      slice3winner1_pair_index_0_4 <= 9 when slice3winner1_of_pair_0_8_is_less else 8;
+      slice3winner1_pair_index_0_5 <= 11 when slice3winner1_of_pair_0_10_is_less else 10;
+      slice3winner1_pair_index_0_6 <= 13 when slice3winner1_of_pair_0_12_is_less else 12;
+      slice3winner1_pair_index_0_7 <= 15 when slice3winner1_of_pair_0_14_is_less else 14;
+      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
+      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
+      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_of_four_0_4 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_4;
+      slice3winner1_of_four_0_5 <= 0 when slice3winner1_of_four_0_4_is_less else slice3winner1_of_pair_0_5;
+      slice3winner1_of_four_0_6 <= slice3winner1_of_pair_0_6 when slice3winner1_of_four_0_4_is_less else 0;
+      slice3winner1_of_four_0_7 <= slice3winner1_of_pair_0_7 when slice3winner1_of_four_0_4_is_less else 0;
+      slice3winner1_of_four_0_8 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_8;
+      slice3winner1_of_four_0_9 <= 0 when slice3winner1_of_four_0_8_is_less else slice3winner1_of_pair_0_9;
+      slice3winner1_of_four_0_10 <= slice3winner1_of_pair_0_10 when slice3winner1_of_four_0_8_is_less else 0;
+      slice3winner1_of_four_0_11 <= slice3winner1_of_pair_0_11 when slice3winner1_of_four_0_8_is_less else 0;
+      slice3winner1_of_four_0_12 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_12;
+      slice3winner1_of_four_0_13 <= 0 when slice3winner1_of_four_0_12_is_less else slice3winner1_of_pair_0_13;
+      slice3winner1_of_four_0_14 <= slice3winner1_of_pair_0_14 when slice3winner1_of_four_0_12_is_less else 0;
+      slice3winner1_of_four_0_15 <= slice3winner1_of_pair_0_15 when slice3winner1_of_four_0_12_is_less else 0;
+      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
+        as_number(slice3winner1_pair_index_0_0);
+      slice3winner1_four_index_0_1 <= slice3winner1_pair_index_0_3 when slice3winner1_of_four_0_4_is_less else
+        slice3winner1_pair_index_0_2;
+      slice3winner1_four_index_0_2 <= slice3winner1_pair_index_0_5 when slice3winner1_of_four_0_8_is_less else
+        slice3winner1_pair_index_0_4;
+      slice3winner1_four_index_0_3 <= slice3winner1_pair_index_0_7 when slice3winner1_of_four_0_12_is_less else
+        slice3winner1_pair_index_0_6;
+      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 16)) or
+        (to_unsigned(slice3winner1_of_four_0_3, 16)))) or (to_unsigned(slice3winner1_of_four_0_1, 16)))) or
+        (to_unsigned(slice3winner1_of_four_0_0, 16))));
+      slice3winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_6, 16)) or
+        (to_unsigned(slice3winner1_of_four_0_7, 16)))) or (to_unsigned(slice3winner1_of_four_0_5, 16)))) or
+        (to_unsigned(slice3winner1_of_four_0_4, 16))));
+      slice3winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_10, 16)) or
+        (to_unsigned(slice3winner1_of_four_0_11, 16)))) or (to_unsigned(slice3winner1_of_four_0_9, 16)))) or
+        (to_unsigned(slice3winner1_of_four_0_8, 16))));
+      slice3winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_14, 16)) or
+        (to_unsigned(slice3winner1_of_four_0_15, 16)))) or (to_unsigned(slice3winner1_of_four_0_13, 16)))) or
+        (to_unsigned(slice3winner1_of_four_0_12, 16))));
+      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
+      slice3winner1_best_index_0_1 <= slice3winner1_four_index_0_1;
+      slice3winner1_best_index_0_2 <= slice3winner1_four_index_0_2;
+      slice3winner1_best_index_0_3 <= slice3winner1_four_index_0_3;
       -- slice3winner2
-      slice3winner2_best_cost_0_0_is_less := slice3winner1_best_cost_0_1 < slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1_is_less := slice3winner1_best_cost_0_3 < slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2_is_less := slice3winner1_best_cost_0_5 < slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3_is_less := slice3winner1_best_cost_0_7 < slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
+      slice3winner2_of_pair_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
+      slice3winner2_of_pair_0_2_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
+      slice3winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner2_of_pair_0_2, 16)) or
+        (to_unsigned(slice3winner2_of_pair_0_3, 16)))) - to_integer(((to_unsigned(slice3winner2_of_pair_0_0, 16)) or
+        (to_unsigned(slice3winner2_of_pair_0_1, 16))))) < 0;
+      slice3winner2_of_pair_0_0 <= 0 when slice3winner2_of_pair_0_0_is_less else slice3winner1_best_cost_0_0;
+      slice3winner2_of_pair_0_1 <= slice3winner1_best_cost_0_1 when slice3winner2_of_pair_0_0_is_less else 0;
+      slice3winner2_of_pair_0_2 <= 0 when slice3winner2_of_pair_0_2_is_less else slice3winner1_best_cost_0_2;
+      slice3winner2_of_pair_0_3 <= slice3winner1_best_cost_0_3 when slice3winner2_of_pair_0_2_is_less else 0;
+      slice3winner2_pair_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_of_pair_0_0_is_less else
+        slice3winner1_best_index_0_0;
+      slice3winner2_pair_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_of_pair_0_2_is_less else
         slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
-      -- slice3winner3
-      slice3winner3_best_cost_0_0_is_less := slice3winner2_best_cost_0_1 < slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1_is_less := slice3winner2_best_cost_0_3 < slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
-      -- slice3winner4
-      slice3winner4_best_cost_0_0_is_less := slice3winner3_best_cost_0_1 < slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
+      slice3winner2_of_four_0_0 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_0;
+      slice3winner2_of_four_0_1 <= 0 when slice3winner2_of_four_0_0_is_less else slice3winner2_of_pair_0_1;
+      slice3winner2_of_four_0_2 <= slice3winner2_of_pair_0_2 when slice3winner2_of_four_0_0_is_less else 0;
+      slice3winner2_of_four_0_3 <= slice3winner2_of_pair_0_3 when slice3winner2_of_four_0_0_is_less else 0;
+      slice3winner2_four_index_0_0 <= slice3winner2_pair_index_0_1 when slice3winner2_of_four_0_0_is_less else
+        slice3winner2_pair_index_0_0;
+      slice3winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner2_of_four_0_2, 16)) or
+        (to_unsigned(slice3winner2_of_four_0_3, 16)))) or (to_unsigned(slice3winner2_of_four_0_1, 16)))) or
+        (to_unsigned(slice3winner2_of_four_0_0, 16))));
+      slice3winner2_best_index_0_0 <= slice3winner2_four_index_0_0;
       -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice2_best_cost_0_0 < slice3winner4_best_cost_0_0 else
-        slice3winner4_best_index_0_0;
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner2_best_cost_0_0) < 0 else
+        slice3winner2_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -3668,29 +3852,32 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_start_of_frame_2 <= false;
-        slice0window_centre_start_of_frame_3 <= false;
-        slice0window_centre_start_of_frame_4 <= false;
         slice0window_centre_start_of_frame_5 <= false;
-        slice0window_centre_start_of_frame_6 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -3702,6 +3889,7 @@ begin
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
         slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
@@ -3714,6 +3902,8 @@ begin
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
         slice2window_centre_output_column_0 <= false;
+        slice2window_centre_start_of_frame_0 <= false;
+        slice2window_centre_start_of_frame_3 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;
@@ -3731,6 +3921,8 @@ begin
         slice3window_centre_output_column_3 <= false;
         slice3window_centre_output_column_4 <= false;
         slice3window_centre_output_column_5 <= false;
+        slice3window_centre_start_of_frame_1 <= false;
+        slice3window_centre_start_of_frame_4 <= false;
         slice3window_centre_end_of_line_0 <= false;
         slice3window_centre_end_of_line_1 <= false;
         slice3window_centre_end_of_line_2 <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 256,
-      latency_clocks => 21,
+      latency_clocks => 23,
       flush_groups => 2246,
       gap_groups => 2240,
-      core_id => x"8e8123e3",
+      core_id => x"f2de06ab",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 256,
-      latency_clocks => 21,
+      latency_clocks => 23,
       flush_groups => 2246,
       gap_groups => 2240)
     port map (

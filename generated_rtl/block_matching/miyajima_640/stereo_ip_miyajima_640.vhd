@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 440,
-      latency_clocks => 26,
+      latency_clocks => 28,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"b9d9a941",
+      core_id => x"abd7e9b0",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 440,
-      latency_clocks => 26,
+      latency_clocks => 28,
       flush_groups => 1922,
       gap_groups => 1920)
     port map (

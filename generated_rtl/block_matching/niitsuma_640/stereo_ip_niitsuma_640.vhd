@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 613,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 1922,
       gap_groups => 1920,
-      core_id => x"ea8cde2f",
+      core_id => x"c9b14991",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 613,
-      latency_clocks => 19,
+      latency_clocks => 21,
       flush_groups => 1922,
       gap_groups => 1920)
     port map (

@@ -969,15 +969,17 @@ architecture rtl of stereo_core_opencv_bm is
   signal map_out_disparity_0 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : boolean;
-  signal other_11, other_12, other_13, other_14, other_15 : boolean;
-  signal other_16 : natural range 0 to 254;
-  signal other_17 : natural range 0 to 252;
-  signal other_18 : natural range 0 to 248;
-  signal other_19 : natural range 0 to 240;
-  signal other_20 : natural range 0 to 224;
-  signal other_21 : natural range 0 to 192;
-  signal other_22 : natural range 0 to 128;
+  signal other_0, other_1, other_2, other_3, other_4, other_5, other_13, other_14, other_15, other_16 : boolean;
+  signal other_17, other_18, other_19, other_20, other_21, other_22 : boolean;
+  signal other_6 : natural range 0 to 254;
+  signal other_7 : natural range 0 to 252;
+  signal other_8 : natural range 0 to 248;
+  signal other_9 : natural range 0 to 240;
+  signal other_10 : natural range 0 to 224;
+  signal other_11 : natural range 0 to 192;
+  signal other_12 : natural range 0 to 128;
+  signal texturewindow_leaving_0_memory_write_data : unsigned(9 downto 0);
+  signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(9 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(29 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(29 downto 0);
@@ -1036,8 +1038,6 @@ architecture rtl of stereo_core_opencv_bm is
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal texturewindow_leaving_0_memory_write_data : unsigned(9 downto 0);
-  signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -1049,6 +1049,22 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 10);
+  texturewindow_leaving_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 10)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
+
+  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
+  texturecost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 450, width => 10)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
+      write_address => slice1cost_ready_column, write_data => texturecost_read_words_0_memory_write_data);
 
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_15, 10);
   slice3window_leaving_5_memory : entity work.line_memory
@@ -1103,7 +1119,7 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_5,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_5,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
 
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 30);
@@ -1111,7 +1127,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_4,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_4,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
 
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 30);
@@ -1119,7 +1135,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_3,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_3,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
 
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 30);
@@ -1127,7 +1143,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_2,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_2,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
 
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 30);
@@ -1135,7 +1151,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_1,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_1,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
 
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 30);
@@ -1143,7 +1159,7 @@ begin
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_0,
+      read_address => slice2cost_change_column, read_data => slice3cost_read_words_0,
       write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
 
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_15, 10);
@@ -1199,48 +1215,48 @@ begin
     generic map (depth => 450, width => 10)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_5,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_5_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_5,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_5_memory_write_data);
 
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 30);
   slice2cost_read_words_4_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_4,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_4_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_4,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_4_memory_write_data);
 
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 30);
   slice2cost_read_words_3_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_3,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_3_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_3,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_3_memory_write_data);
 
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 30);
   slice2cost_read_words_2_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_2,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_2_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_2,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_2_memory_write_data);
 
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 30);
   slice2cost_read_words_1_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_1,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_1_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_1,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_1_memory_write_data);
 
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 30);
   slice2cost_read_words_0_memory : entity work.line_memory
     generic map (depth => 450, width => 30)
     port map (
       clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      read_address => slice2cost_read_column, read_data => slice2cost_read_words_0,
+      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_0_memory_write_data);
 
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_15, 10);
   slice1window_leaving_5_memory : entity work.line_memory
@@ -1296,7 +1312,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_5_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_5_memory_write_data);
 
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 30);
   slice1cost_read_words_4_memory : entity work.line_memory
@@ -1304,7 +1320,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_4_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_4_memory_write_data);
 
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 30);
   slice1cost_read_words_3_memory : entity work.line_memory
@@ -1312,7 +1328,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_3_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_3_memory_write_data);
 
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 30);
   slice1cost_read_words_2_memory : entity work.line_memory
@@ -1320,7 +1336,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_2_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
 
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 30);
   slice1cost_read_words_1_memory : entity work.line_memory
@@ -1328,7 +1344,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_1_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
 
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
   slice1cost_read_words_0_memory : entity work.line_memory
@@ -1336,7 +1352,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_0_memory_write_data);
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
 
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_15, 10);
   slice0window_leaving_5_memory : entity work.line_memory
@@ -1392,7 +1408,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_5_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_5_memory_write_data);
 
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 30);
   slice0cost_read_words_4_memory : entity work.line_memory
@@ -1400,7 +1416,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_4_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_4_memory_write_data);
 
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 30);
   slice0cost_read_words_3_memory : entity work.line_memory
@@ -1408,7 +1424,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_3_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_3_memory_write_data);
 
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 30);
   slice0cost_read_words_2_memory : entity work.line_memory
@@ -1416,7 +1432,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_2_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
 
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 30);
   slice0cost_read_words_1_memory : entity work.line_memory
@@ -1424,7 +1440,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
   slice0cost_read_words_0_memory : entity work.line_memory
@@ -1432,7 +1448,7 @@ begin
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 21);
   rows_search_rows_read_words_3_memory : entity work.line_memory
@@ -1514,27 +1530,11 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 10);
-  texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
-
-  texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
-  texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice2cost_change_column, write_data => texturecost_read_words_0_memory_write_data);
-
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
-    variable transform_counter_group_all, transform_counter_group_differs : boolean;
-    variable transform_read_column_inside_0_differs, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
+    variable transform_counter_group_differs, transform_read_column_inside_0_differs : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_counter_next_frame_choice_3, transform_left_filter_column_0_0_choice_3 : boolean;
     variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal : boolean;
     variable slice0winner1_best_index_0_0_is_not_less, slice0winner1_best_index_0_1_is_less : boolean;
     variable slice0winner1_best_index_0_2_is_less, slice0winner1_best_index_0_3_is_less : boolean;
@@ -1755,7 +1755,6 @@ begin
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 16383;
     variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice1_best_second_0_0_choice_5, slice1_best_second_0_0_choice_6 : natural range 0 to 16383;
     variable slice2window_sum_0_0_choice, slice2window_sum_0_1_choice : natural range 0 to 16383;
     variable slice2window_sum_0_2_choice, slice2window_sum_0_3_choice : natural range 0 to 16383;
     variable slice2window_sum_0_4_choice, slice2window_sum_0_5_choice : natural range 0 to 16383;
@@ -1788,7 +1787,6 @@ begin
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 16383;
     variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice2_best_second_0_0_choice_5, slice2_best_second_0_0_choice_6 : natural range 0 to 16383;
     variable slice3window_sum_0_0_choice, slice3window_sum_0_1_choice : natural range 0 to 16383;
     variable slice3window_sum_0_2_choice, slice3window_sum_0_3_choice : natural range 0 to 16383;
     variable slice3window_sum_0_4_choice, slice3window_sum_0_5_choice : natural range 0 to 16383;
@@ -1821,7 +1819,6 @@ begin
     variable slice3_best_below_0_0_choice, slice3_best_above_0_0_choice : natural range 0 to 16383;
     variable slice3_best_second_0_0_choice, slice3_best_second_0_0_choice_2 : natural range 0 to 16383;
     variable slice3_best_second_0_0_choice_3, slice3_best_second_0_0_choice_4 : natural range 0 to 16383;
-    variable slice3_best_second_0_0_choice_5, slice3_best_second_0_0_choice_6 : natural range 0 to 16383;
     variable texturewindow_sum_0_0_choice, refinement_divisor_0_0_choice : natural range 0 to 16383;
     variable refinement_remainder_1_0_difference : natural range 16385 to 49151;
     variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 16385 to 65534;
@@ -1835,13 +1832,13 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_group = 374;
       transform_counter_group_is_equal_2 := transform_counter_column = 449;
-      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 375 when transform_counter_group_all else 0;
+      transform_counter_group_choice := 375 when transform_counter_group_is_equal and
+        transform_counter_group_is_equal_2 else 0;
       transform_counter_group_differs := transform_counter_group /= 376;
       transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and transform_counter_next_frame else
         (transform_counter_group + 1) mod 512;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
-        in_valid and transform_counter_group_is_equal_2 else transform_counter_group;
+        transform_counter_group_is_equal_2 and in_valid else transform_counter_group;
       transform_read_column_inside_0_differs := transform_counter_column /= 0;
       transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
         (transform_left_filter_slope_0 + 31) mod 128;
@@ -1854,7 +1851,7 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_valid and in_start_of_frame else
+      transform_counter_group <= transform_counter_group_choice when in_start_of_frame and in_valid else
         transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
@@ -1867,8 +1864,7 @@ begin
         (transform_counter_group mod 2)) < 375;
       transform_read_row_inside_2 <= transform_counter_group < 375;
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs;
-      transform_read_column_inside_2 <= transform_counter_column = 0 when transform_counter_column < 2 else
-        transform_read_column_inside_0_differs;
+      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_differs;
       transform_read_start_of_frame <= (transform_counter_group = 1) and (transform_counter_column = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -1909,12 +1905,14 @@ begin
         transform_counter_group_is_equal_2 else transform_counter_next_frame;
       transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
         else transform_counter_next_frame;
+      transform_counter_next_frame_choice_3 := transform_counter_group_is_equal_2 or (not in_start_of_frame) when
+        transform_counter_group_is_equal else not in_start_of_frame;
       if in_valid then
-        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
+        transform_counter_column <= 0 when transform_counter_group_is_equal_2 or in_start_of_frame else
           (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all when
-          transform_counter_next_frame_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2;
+        transform_counter_next_frame <= transform_counter_next_frame_choice_3 when
+          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
+          transform_counter_group_is_equal_2 and in_start_of_frame;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -1952,9 +1950,9 @@ begin
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= 0 when transform_filtering_2_valid and transform_filtering_2_start_of_frame else
-        (raster_place_group + as_number(((raster_place_group /= 382) and transform_filtering_2_valid and
-        raster_place_group_is_equal))) mod 512;
+      raster_place_group <= 0 when transform_filtering_2_start_of_frame and transform_filtering_2_valid else
+        (raster_place_group + as_number(((raster_place_group /= 382) and raster_place_group_is_equal and
+        transform_filtering_2_valid))) mod 512;
       if transform_filtering_2_valid then
         raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
           (raster_place_column + 1) mod 512;
@@ -2265,6 +2263,7 @@ begin
       slice0cost_ready_words_3 <= to_integer(slice0cost_read_words_3);
       slice0cost_ready_words_4 <= to_integer(slice0cost_read_words_4);
       slice0cost_ready_words_5 <= to_integer(slice0cost_read_words_5);
+      slice0cost_ready_column <= slice0cost_change_column;
       slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
       slice0cost_ready_tag_row_start <= slice0cost_pixels_tag_row_start;
       slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
@@ -2305,9 +2304,6 @@ begin
       if slice0cost_pixels_first_tag_valid then
         slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
           mod 512;
-      end if;
-      if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 512;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
@@ -2589,10 +2585,10 @@ begin
       slice0winner2_best_index_0_1_is_not_less := (slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) >= 0;
       slice0winner2_best_index_0_2_is_not_less := (slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) >= 0;
       slice0winner2_best_index_0_3_is_not_less := (slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) >= 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when other_12 else slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5 when other_13 else slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9 when other_14 else slice0winner1_best_below_0_5;
-      slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13 when other_15 else slice0winner1_best_below_0_7;
+      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when other_19 else slice0winner1_best_below_0_1;
+      slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5 when other_20 else slice0winner1_best_below_0_3;
+      slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9 when other_21 else slice0winner1_best_below_0_5;
+      slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13 when other_22 else slice0winner1_best_below_0_7;
       slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
       slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6 when ((slice0winner1_best_index_0_2 / 4) = 1) and
@@ -2678,10 +2674,10 @@ begin
       slice0winner2_best_place_0_1 <= slice0winner2_best_index_0_1_is_not_less;
       slice0winner2_best_place_0_2 <= slice0winner2_best_index_0_2_is_not_less;
       slice0winner2_best_place_0_3 <= slice0winner2_best_index_0_3_is_not_less;
-      slice0winner2_best_at_start_0_0 <= other_12 and slice0winner2_best_index_0_0_is_not_less;
-      slice0winner2_best_at_start_0_1 <= other_13 and slice0winner2_best_index_0_1_is_not_less;
-      slice0winner2_best_at_start_0_2 <= other_14 and slice0winner2_best_index_0_2_is_not_less;
-      slice0winner2_best_at_start_0_3 <= other_15 and slice0winner2_best_index_0_3_is_not_less;
+      slice0winner2_best_at_start_0_0 <= other_19 and slice0winner2_best_index_0_0_is_not_less;
+      slice0winner2_best_at_start_0_1 <= other_20 and slice0winner2_best_index_0_1_is_not_less;
+      slice0winner2_best_at_start_0_2 <= other_21 and slice0winner2_best_index_0_2_is_not_less;
+      slice0winner2_best_at_start_0_3 <= other_22 and slice0winner2_best_index_0_3_is_not_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_best_cost_0_0 -
         slice0winner1_best_cost_0_1) < 0);
       slice0winner2_best_at_end_0_1 <= ((slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) < 0) and
@@ -3024,7 +3020,7 @@ begin
       slice1cost_pixels_cost_1_15 <= folded(slice1cost_pixels_first_1_15) + as_number((slice1cost_pixels_first_1_15 <
         0));
       slice1cost_read_column <= slice0cost_read_column;
-      slice1cost_change_column <= slice0cost_change_column;
+      slice1cost_change_column <= slice1cost_read_column;
       slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
       slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
       slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
@@ -3047,7 +3043,6 @@ begin
       slice1cost_ready_words_3 <= to_integer(slice1cost_read_words_3);
       slice1cost_ready_words_4 <= to_integer(slice1cost_read_words_4);
       slice1cost_ready_words_5 <= to_integer(slice1cost_read_words_5);
-      slice1cost_ready_column <= slice1cost_change_column;
       slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
       slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
@@ -3064,8 +3059,11 @@ begin
       slice1cost_column_0_13 <= slice1cost_column_0_13_choice_2;
       slice1cost_column_0_14 <= slice1cost_column_0_14_choice_2;
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
-      slice1cost_write_column <= slice0cost_write_column;
+      if slice0cost_ready_tag_valid then
+        slice1cost_ready_column <= slice1cost_change_column;
+      end if;
       if slice0cost_tag_valid then
+        slice1cost_write_column <= slice0cost_write_column;
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 1024) + slice1cost_column_0_0_choice_2 +
           (slice1cost_column_0_2_choice_2 * 1048576);
         slice1cost_write_words_1 <= (slice1cost_column_0_4_choice_2 * 1024) + slice1cost_column_0_3_choice_2 +
@@ -3334,10 +3332,10 @@ begin
       slice1winner2_best_index_0_1_is_not_less := (slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) >= 0;
       slice1winner2_best_index_0_2_is_not_less := (slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) >= 0;
       slice1winner2_best_index_0_3_is_not_less := (slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) >= 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when other_8 else slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5 when other_9 else slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9 when other_10 else slice1winner1_best_below_0_5;
-      slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13 when other_11 else slice1winner1_best_below_0_7;
+      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when other_15 else slice1winner1_best_below_0_1;
+      slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5 when other_16 else slice1winner1_best_below_0_3;
+      slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9 when other_17 else slice1winner1_best_below_0_5;
+      slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13 when other_18 else slice1winner1_best_below_0_7;
       slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
       slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6 when ((slice1winner1_best_index_0_2 / 4) = 1) and
@@ -3424,10 +3422,10 @@ begin
       slice1winner2_best_place_0_1 <= slice1winner2_best_index_0_1_is_not_less;
       slice1winner2_best_place_0_2 <= slice1winner2_best_index_0_2_is_not_less;
       slice1winner2_best_place_0_3 <= slice1winner2_best_index_0_3_is_not_less;
-      slice1winner2_best_at_start_0_0 <= other_8 and slice1winner2_best_index_0_0_is_not_less;
-      slice1winner2_best_at_start_0_1 <= other_9 and slice1winner2_best_index_0_1_is_not_less;
-      slice1winner2_best_at_start_0_2 <= other_10 and slice1winner2_best_index_0_2_is_not_less;
-      slice1winner2_best_at_start_0_3 <= other_11 and slice1winner2_best_index_0_3_is_not_less;
+      slice1winner2_best_at_start_0_0 <= other_15 and slice1winner2_best_index_0_0_is_not_less;
+      slice1winner2_best_at_start_0_1 <= other_16 and slice1winner2_best_index_0_1_is_not_less;
+      slice1winner2_best_at_start_0_2 <= other_17 and slice1winner2_best_index_0_2_is_not_less;
+      slice1winner2_best_at_start_0_3 <= other_18 and slice1winner2_best_index_0_3_is_not_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_best_cost_0_0 -
         slice1winner1_best_cost_0_1) < 0);
       slice1winner2_best_at_end_0_1 <= ((slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) < 0) and
@@ -3600,12 +3598,8 @@ begin
         slice1_best_second_0_0_choice;
       slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
         slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3 when slice1_best_at_end_0_0 and (not
-        slice1_best_at_start_0_0) else slice0_best_but_last_0_0;
-      slice1_best_second_0_0_choice_5 := slice1_best_second_0_0_choice_3 when (not slice1_best_at_end_0_0) and (not
-        slice1_best_at_start_0_0) else slice0_best_but_last_0_0;
-      slice1_best_second_0_0_choice_6 := slice1_best_second_0_0_choice_4 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice_5;
+      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
+        slice1_best_second_0_0_choice_3;
       slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0 when (slice1winner4_best_cost_0_0 -
         slice0winner4_best_late_cost_0_0) < 0 else slice0winner4_best_late_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_is_less else
@@ -3620,7 +3614,7 @@ begin
       slice1_best_at_end_0_0 <= slice1_best_above_0_0_is_equal and slice1_best_index_0_0_is_less;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
       slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_6) < 0 else slice1_best_second_0_0_choice_6;
+        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
       slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0 when (slice1winner4_best_but_last_0_0 -
         slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
@@ -3806,7 +3800,6 @@ begin
         0));
       slice2cost_pixels_cost_1_15 <= folded(slice2cost_pixels_first_1_15) + as_number((slice2cost_pixels_first_1_15 <
         0));
-      slice2cost_read_column <= slice1cost_read_column;
       slice2cost_change_0_0 <= slice2cost_pixels_cost_1_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1 <= slice2cost_pixels_cost_1_1 - slice2cost_pixels_cost_0_1;
       slice2cost_change_0_2 <= slice2cost_pixels_cost_1_2 - slice2cost_pixels_cost_0_2;
@@ -3829,7 +3822,7 @@ begin
       slice2cost_ready_words_3 <= to_integer(slice2cost_read_words_3);
       slice2cost_ready_words_4 <= to_integer(slice2cost_read_words_4);
       slice2cost_ready_words_5 <= to_integer(slice2cost_read_words_5);
-      slice2cost_ready_column <= slice3cost_read_column;
+      slice2cost_ready_column <= slice2cost_change_column;
       slice2cost_column_0_0 <= slice2cost_column_0_0_choice_2;
       slice2cost_column_0_1 <= slice2cost_column_0_1_choice_2;
       slice2cost_column_0_2 <= slice2cost_column_0_2_choice_2;
@@ -3846,11 +3839,14 @@ begin
       slice2cost_column_0_13 <= slice2cost_column_0_13_choice_2;
       slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
+      slice2cost_write_column <= slice2cost_ready_column;
+      if slice0cost_pixels_tag_valid then
+        slice2cost_read_column <= 0 when slice0cost_pixels_tag_row_start else (slice2cost_read_column + 1) mod 512;
+      end if;
       if slice0cost_ready_tag_valid then
-        slice2cost_change_column <= slice2cost_read_column;
+        slice2cost_change_column <= 0 when slice0cost_ready_tag_row_start else (slice2cost_change_column + 1) mod 512;
       end if;
       if slice0window_entering_tag_valid then
-        slice2cost_write_column <= slice1cost_write_column;
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 1024) + slice2cost_column_0_0_choice_2 +
           (slice2cost_column_0_2_choice_2 * 1048576);
         slice2cost_write_words_1 <= (slice2cost_column_0_4_choice_2 * 1024) + slice2cost_column_0_3_choice_2 +
@@ -4118,8 +4114,8 @@ begin
       slice2winner2_best_index_0_3_is_not_less := (slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) >= 0;
       slice2winner2_best_below_0_0_choice := slice2winner1_held_0_1 when other_4 else slice2winner1_best_below_0_1;
       slice2winner2_best_below_0_1_choice := slice2winner1_held_0_5 when other_5 else slice2winner1_best_below_0_3;
-      slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9 when other_6 else slice2winner1_best_below_0_5;
-      slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13 when other_7 else slice2winner1_best_below_0_7;
+      slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9 when other_13 else slice2winner1_best_below_0_5;
+      slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13 when other_14 else slice2winner1_best_below_0_7;
       slice2winner2_best_above_0_0_choice := slice2winner1_held_0_2 when slice2winner1_best_index_0_0 else
         slice2winner1_best_above_0_0;
       slice2winner2_best_above_0_1_choice := slice2winner1_held_0_6 when ((slice2winner1_best_index_0_2 / 4) = 1) and
@@ -4208,8 +4204,8 @@ begin
       slice2winner2_best_place_0_3 <= slice2winner2_best_index_0_3_is_not_less;
       slice2winner2_best_at_start_0_0 <= other_4 and slice2winner2_best_index_0_0_is_not_less;
       slice2winner2_best_at_start_0_1 <= other_5 and slice2winner2_best_index_0_1_is_not_less;
-      slice2winner2_best_at_start_0_2 <= other_6 and slice2winner2_best_index_0_2_is_not_less;
-      slice2winner2_best_at_start_0_3 <= other_7 and slice2winner2_best_index_0_3_is_not_less;
+      slice2winner2_best_at_start_0_2 <= other_13 and slice2winner2_best_index_0_2_is_not_less;
+      slice2winner2_best_at_start_0_3 <= other_14 and slice2winner2_best_index_0_3_is_not_less;
       slice2winner2_best_at_end_0_0 <= slice2winner1_best_index_0_0 and ((slice2winner1_best_cost_0_0 -
         slice2winner1_best_cost_0_1) < 0);
       slice2winner2_best_at_end_0_1 <= ((slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) < 0) and
@@ -4382,12 +4378,8 @@ begin
         slice2_best_second_0_0_choice;
       slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
         slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3 when slice2_best_at_end_0_0 and (not
-        slice2_best_at_start_0_0) else slice1_best_but_last_0_0;
-      slice2_best_second_0_0_choice_5 := slice2_best_second_0_0_choice_3 when (not slice2_best_at_end_0_0) and (not
-        slice2_best_at_start_0_0) else slice1_best_but_last_0_0;
-      slice2_best_second_0_0_choice_6 := slice2_best_second_0_0_choice_4 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice_5;
+      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
+        slice2_best_second_0_0_choice_3;
       slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0 when (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0
         else slice1_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_is_less else
@@ -4402,7 +4394,7 @@ begin
       slice2_best_at_end_0_0 <= slice2_best_index_0_0_is_less and slice2_best_above_0_0_is_equal;
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
       slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_6) < 0 else slice2_best_second_0_0_choice_6;
+        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
       slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0 when (slice2winner4_best_but_last_0_0 -
         slice1_best_late_cost_0_0) < 0 else slice1_best_late_cost_0_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
@@ -4582,6 +4574,8 @@ begin
         0));
       slice3cost_pixels_cost_1_15 <= folded(slice3cost_pixels_first_1_15) + as_number((slice3cost_pixels_first_1_15 <
         0));
+      slice3cost_read_column <= slice2cost_read_column;
+      slice3cost_change_column <= slice3cost_read_column;
       slice3cost_change_0_0 <= slice3cost_pixels_cost_1_0 - slice3cost_pixels_cost_0_0;
       slice3cost_change_0_1 <= slice3cost_pixels_cost_1_1 - slice3cost_pixels_cost_0_1;
       slice3cost_change_0_2 <= slice3cost_pixels_cost_1_2 - slice3cost_pixels_cost_0_2;
@@ -4604,7 +4598,6 @@ begin
       slice3cost_ready_words_3 <= to_integer(slice3cost_read_words_3);
       slice3cost_ready_words_4 <= to_integer(slice3cost_read_words_4);
       slice3cost_ready_words_5 <= to_integer(slice3cost_read_words_5);
-      slice3cost_ready_column <= slice2cost_ready_column;
       slice3cost_column_0_0 <= slice3cost_column_0_0_choice_2;
       slice3cost_column_0_1 <= slice3cost_column_0_1_choice_2;
       slice3cost_column_0_2 <= slice3cost_column_0_2_choice_2;
@@ -4621,14 +4614,11 @@ begin
       slice3cost_column_0_13 <= slice3cost_column_0_13_choice_2;
       slice3cost_column_0_14 <= slice3cost_column_0_14_choice_2;
       slice3cost_column_0_15 <= slice3cost_column_0_15_choice_2;
-      if slice0cost_ready_tag_valid then
-        slice3cost_read_column <= 0 when slice0cost_ready_tag_row_start else (slice3cost_read_column + 1) mod 512;
-      end if;
-      if slice0cost_tag_valid then
-        slice3cost_change_column <= slice1cost_ready_column;
+      if slice0window_entering_tag_valid then
+        slice3cost_ready_column <= slice3cost_change_column;
       end if;
       if slice0window_change_tag_valid then
-        slice3cost_write_column <= slice3cost_ready_column;
+        slice3cost_write_column <= slice2cost_write_column;
         slice3cost_write_words_0 <= (slice3cost_column_0_1_choice_2 * 1024) + slice3cost_column_0_0_choice_2 +
           (slice3cost_column_0_2_choice_2 * 1048576);
         slice3cost_write_words_1 <= (slice3cost_column_0_4_choice_2 * 1024) + slice3cost_column_0_3_choice_2 +
@@ -5158,12 +5148,8 @@ begin
         slice3_best_second_0_0_choice;
       slice3_best_second_0_0_choice_3 := slice2_best_late_cost_0_0 when slice3_best_place_0_0 else
         slice2_best_second_0_0;
-      slice3_best_second_0_0_choice_4 := slice3_best_second_0_0_choice_3 when slice3_best_at_end_0_0 and (not
-        slice3_best_at_start_0_0) else slice2_best_but_last_0_0;
-      slice3_best_second_0_0_choice_5 := slice3_best_second_0_0_choice_3 when (not slice3_best_at_end_0_0) and (not
-        slice3_best_at_start_0_0) else slice2_best_but_last_0_0;
-      slice3_best_second_0_0_choice_6 := slice3_best_second_0_0_choice_4 when slice3_best_at_end_0_0 else
-        slice3_best_second_0_0_choice_5;
+      slice3_best_second_0_0_choice_4 := slice2_best_but_last_0_0 when slice3_best_at_start_0_0 else
+        slice3_best_second_0_0_choice_3;
       slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0 when (slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) < 0
         else slice2_best_cost_0_0;
       slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_index_0_0_is_less else
@@ -5177,7 +5163,7 @@ begin
       slice3_best_at_end_0_0 <= slice3_best_index_0_0_is_less and slice3_best_above_0_0_is_equal;
       slice3_best_late_cost_0_0 <= slice3_best_cost_0_0;
       slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2 when (slice3_best_second_0_0_choice_2 -
-        slice3_best_second_0_0_choice_6) < 0 else slice3_best_second_0_0_choice_6;
+        slice3_best_second_0_0_choice_4) < 0 else slice3_best_second_0_0_choice_4;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -5352,7 +5338,7 @@ begin
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_quotient_8_0 <= ((((32768 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 16384) +
-        ((other_16 / 2) * 2);
+        ((other_6 / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
@@ -5379,23 +5365,23 @@ begin
       other_3 <= slice3winner1_best_index_0_7_is_less;
       other_4 <= slice2winner1_best_index_0_1_is_less;
       other_5 <= slice2winner1_best_index_0_3_is_less;
-      other_6 <= slice2winner1_best_index_0_5_is_less;
-      other_7 <= slice2winner1_best_index_0_7_is_less;
-      other_8 <= slice1winner1_best_index_0_1_is_less;
-      other_9 <= slice1winner1_best_index_0_3_is_less;
-      other_10 <= slice1winner1_best_index_0_5_is_less;
-      other_11 <= slice1winner1_best_index_0_7_is_less;
-      other_12 <= slice0winner1_best_index_0_1_is_less;
-      other_13 <= slice0winner1_best_index_0_3_is_less;
-      other_14 <= slice0winner1_best_index_0_5_is_less;
-      other_15 <= slice0winner1_best_index_0_7_is_less;
-      other_16 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_17 / 4) * 4);
-      other_17 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_18 / 8) * 8);
-      other_18 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_19 / 16) * 16);
-      other_19 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_20 / 32) * 32);
-      other_20 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_21 / 64) * 64);
-      other_21 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_22 / 128) * 128);
-      other_22 <= (refinement_remainder_1_0_difference / 32768) * 128;
+      other_6 <= ((refinement_remainder_7_0_difference / 32768) * 2) + ((other_7 / 4) * 4);
+      other_7 <= ((refinement_remainder_6_0_difference / 32768) * 4) + ((other_8 / 8) * 8);
+      other_8 <= ((refinement_remainder_5_0_difference / 32768) * 8) + ((other_9 / 16) * 16);
+      other_9 <= ((refinement_remainder_4_0_difference / 32768) * 16) + ((other_10 / 32) * 32);
+      other_10 <= ((refinement_remainder_3_0_difference / 32768) * 32) + ((other_11 / 64) * 64);
+      other_11 <= ((refinement_remainder_2_0_difference / 32768) * 64) + ((other_12 / 128) * 128);
+      other_12 <= (refinement_remainder_1_0_difference / 32768) * 128;
+      other_13 <= slice2winner1_best_index_0_5_is_less;
+      other_14 <= slice2winner1_best_index_0_7_is_less;
+      other_15 <= slice1winner1_best_index_0_1_is_less;
+      other_16 <= slice1winner1_best_index_0_3_is_less;
+      other_17 <= slice1winner1_best_index_0_5_is_less;
+      other_18 <= slice1winner1_best_index_0_7_is_less;
+      other_19 <= slice0winner1_best_index_0_1_is_less;
+      other_20 <= slice0winner1_best_index_0_3_is_less;
+      other_21 <= slice0winner1_best_index_0_5_is_less;
+      other_22 <= slice0winner1_best_index_0_7_is_less;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

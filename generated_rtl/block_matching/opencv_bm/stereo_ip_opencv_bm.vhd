@@ -64,7 +64,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3608,
       gap_groups => 3150,
-      core_id => x"5ac5a8c8",
+      core_id => x"a3cb8f89",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

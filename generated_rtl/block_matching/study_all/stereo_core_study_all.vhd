@@ -810,8 +810,7 @@ begin
         (transform_counter_group mod 2)) < 64;
       transform_read_row_inside_2 <= not ((transform_counter_group / 64) = 1);
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs;
-      transform_read_column_inside_2 <= transform_counter_column = 0 when transform_counter_column < 2 else
-        transform_read_column_inside_0_differs;
+      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_differs;
       transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;

@@ -55,16 +55,16 @@ architecture rtl of stereo_ip_study_cost2 is
 begin
   shell : entity work.stereo_shell
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 14,
-      flush_groups => 193,
+      output_width_px => 304,
+      latency_clocks => 15,
+      flush_groups => 641,
       gap_groups => 0,
-      core_id => x"b84c1cdf",
+      core_id => x"51c0ff6b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -111,14 +111,14 @@ begin
 
   core : entity work.stereo_core_study_cost2
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 14,
-      flush_groups => 193,
+      output_width_px => 304,
+      latency_clocks => 15,
+      flush_groups => 641,
       gap_groups => 0)
     port map (
       clock => aclk,

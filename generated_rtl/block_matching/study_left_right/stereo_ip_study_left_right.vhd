@@ -55,16 +55,16 @@ architecture rtl of stereo_ip_study_left_right is
 begin
   shell : entity work.stereo_shell
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 19,
-      flush_groups => 208,
+      output_width_px => 304,
+      latency_clocks => 20,
+      flush_groups => 656,
       gap_groups => 0,
-      core_id => x"0f5e75dc",
+      core_id => x"96663b11",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -111,14 +111,14 @@ begin
 
   core : entity work.stereo_core_study_left_right
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 19,
-      flush_groups => 208,
+      output_width_px => 304,
+      latency_clocks => 20,
+      flush_groups => 656,
       gap_groups => 0)
     port map (
       clock => aclk,

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_median: 96x64, 16 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_median: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 5, median true, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_median
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_median is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 22;
-    flush_groups : positive := 290;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 27;
+    flush_groups : positive := 962;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_median is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_median: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_median: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_median: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_median: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_median: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_median: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_median: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 22 report "stereo_core_study_median: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
-  assert flush_groups = 290 report "stereo_core_study_median: flush_groups is " & integer'image(flush_groups) & " but this core has 290" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_median: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 27 report "stereo_core_study_median: latency_clocks is " & integer'image(latency_clocks) & " but this core has 27" severity failure;
+  assert flush_groups = 962 report "stereo_core_study_median: flush_groups is " & integer'image(flush_groups) & " but this core has 962" severity failure;
   assert gap_groups = 0 report "stereo_core_study_median: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_median is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_median is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,13 +92,14 @@ architecture rtl of stereo_core_study_median is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
   signal delay_tag_valid, delay_tag_border_column, delay_tag_map_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
@@ -112,7 +111,7 @@ architecture rtl of stereo_core_study_median is
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
   signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 255;
   signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_map_column : boolean;
   signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
@@ -155,20 +154,13 @@ architecture rtl of stereo_core_study_median is
   signal slice0cost_difference_4_1, slice0cost_difference_4_2, slice0cost_difference_4_3 : integer range -255 to 255;
   signal slice0cost_difference_4_4, slice0cost_difference_4_5, slice0cost_difference_4_6 : integer range -255 to 255;
   signal slice0cost_difference_4_7 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_1_0 : natural range 0 to 255;
-  signal slice0cost_reverse_1_1, slice0cost_reverse_1_2, slice0cost_reverse_1_3 : natural range 0 to 255;
-  signal slice0cost_reverse_1_4, slice0cost_reverse_1_5, slice0cost_reverse_1_6 : natural range 0 to 255;
-  signal slice0cost_reverse_1_7, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
-  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
-  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
-  signal slice0cost_reverse_2_0, slice0cost_reverse_2_1, slice0cost_reverse_2_2 : boolean;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_map_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
   signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4, slice0cost_negative_1_5 : boolean;
+  signal slice0cost_negative_1_6, slice0cost_negative_1_7, slice0cost_pair_tag_valid : boolean;
   signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_map_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_map_column, slice0cost_tag_start_of_frame : boolean;
@@ -177,49 +169,56 @@ architecture rtl of stereo_core_study_median is
   signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
   signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 511;
   signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1278;
-  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 1278;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1279;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 5116;
   signal slice0window_centre_map_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_map_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6390;
-  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 6390;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6395;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_four_0_0 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_7 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_map_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_map_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 8191;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 8191;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 6390;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_tag_valid, slice0winner3_tag_map_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0 : natural range 0 to 8191;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -254,77 +253,91 @@ architecture rtl of stereo_core_study_median is
   signal slice1cost_difference_4_1, slice1cost_difference_4_2, slice1cost_difference_4_3 : integer range -255 to 255;
   signal slice1cost_difference_4_4, slice1cost_difference_4_5, slice1cost_difference_4_6 : integer range -255 to 255;
   signal slice1cost_difference_4_7 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_1_0 : natural range 0 to 255;
-  signal slice1cost_reverse_1_1, slice1cost_reverse_1_2, slice1cost_reverse_1_3 : natural range 0 to 255;
-  signal slice1cost_reverse_1_4, slice1cost_reverse_1_5, slice1cost_reverse_1_6 : natural range 0 to 255;
-  signal slice1cost_reverse_1_7, slice1cost_single_0_0, slice1cost_single_0_1 : natural range 0 to 255;
-  signal slice1cost_single_0_2, slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
-  signal slice1cost_single_0_5, slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
   signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
   signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1278;
-  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 1278;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 255;
+  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1279;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 5112;
-  signal slice1window_centre_map_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6390;
-  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 6390;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 5116;
+  signal slice1window_centre_map_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6395;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_four_0_0 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_7 : natural range 0 to 6395;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 8191;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 6390;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 8191;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 15;
-  signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_tag_valid, slice1_best_tag_row_start, slice1_best_tag_map_column : boolean;
+  signal slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
   -- map
-  signal map_counter_column, map_counter_group, map_read_column, map_ready_column : natural range 0 to 127;
-  signal map_write_column, map_at_column : natural range 0 to 127;
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 511;
+  signal map_sorted_column : natural range 0 to 511;
+  signal map_counter_group : natural range 0 to 127;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_1 : natural range 0 to 31;
   signal map_column_2 : natural range 0 to 31;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_output, map_ready_arrives, map_ready_behind, map_ready_top, map_ready_output : boolean;
-  signal map_at_arrives, map_at_behind, map_at_top, map_at_output, map_passed_0_0, map_passed_1_0 : boolean;
-  signal map_complete, map_first, map_last, map_waiting_passed_0, map_waiting_valid : boolean;
-  signal map_waiting_start_of_frame, map_waiting_end_of_line, map_out_passed_0, map_out_valid : boolean;
-  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_read_words_0 : unsigned(13 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 16383;
   signal map_rows_write_words_0 : natural range 0 to 15903;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0, map_middle_2_0 : natural range 0 to 255;
-  signal map_high_0_0, map_high_1_0, map_high_2_0, map_largest_low_0, map_median_middle_0 : natural range 0 to 255;
-  signal map_smallest_high_0, map_out_disparity_0 : natural range 0 to 255;
+  signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0 : natural range 0 to 15;
+  signal map_sorted_middle_0, map_sorted_high_0, map_low_0_0, map_low_1_0, map_low_2_0 : natural range 0 to 15;
+  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 15;
+  signal map_high_2_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a : natural range 0 to 15;
+  signal map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b : natural range 0 to 15;
+  signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 15;
+  signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 15;
   -- other
-  signal other_0 : natural range 0 to 510;
+  signal other_0 : natural range 0 to 30;
+  signal other_1, other_2 : unsigned(48 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
@@ -343,15 +356,15 @@ begin
 
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 14);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 80, width => 14)
+    generic map (depth => 304, width => 14)
     port map (
       clock => clock, read_enable => true,
       read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      write_address => map_write_column, write_data => map_rows_read_words_0_memory_write_data);
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -359,7 +372,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -374,67 +387,93 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_features_start_of_frame_is_equal, raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equal_2, raster_place_group_all, slice0cost_reverse_2_2_is_equal : boolean;
-    variable slice0cost_reverse_2_2_choice, slice0cost_reverse_2_2_choice_2 : boolean;
-    variable slice0cost_reverse_2_2_is_equal_2, slice0cost_reverse_2_2_all, slice0cost_reverse_2_2_choice_3 : boolean;
-    variable slice0cost_reverse_2_2_all_2, slice0cost_reverse_2_1_choice, slice0cost_reverse_2_1_choice_2 : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner3_best_cost_0_0_is_less, map_line_ended_choice : boolean;
-    variable map_passed_1_0_all, map_passed_1_0_any, map_complete_is_equal, map_median_middle_0_is_less : boolean;
-    variable map_out_disparity_0_is_less, map_low_0_0_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
-    variable raster_place_group_choice, raster_place_group_choice_2, map_counter_group_choice : natural range 0 to 127;
-    variable map_counter_group_choice_2 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_4_choice, slice0cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_6_choice, slice0cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_2_choice, slice1cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_4_choice, slice1cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_6_choice, slice1cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_4_choice, slice1cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_6_choice, slice1cost_pair_1_7_choice, map_largest_low_0_choice : natural range 0 to 255;
-    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 255;
-    variable map_median_middle_0_choice_3, map_smallest_high_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 255;
-    variable map_out_disparity_0_choice_3, map_low_0_0_choice_2, map_low_0_0_choice_3 : natural range 0 to 255;
-    variable map_low_0_0_choice_4, map_low_0_0_choice_5, map_middle_0_0_choice : natural range 0 to 255;
-    variable map_middle_0_0_choice_2, map_middle_0_0_choice_3, map_middle_0_0_choice_4 : natural range 0 to 255;
-    variable map_high_0_0_choice, map_high_0_0_choice_2 : natural range 0 to 255;
-    variable map_low_0_0_choice : natural range 0 to 15;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_choice, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_4_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_0_2_is_less : boolean;
+    variable slice1winner1_of_pair_0_4_is_less, slice1winner1_of_pair_0_6_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1_best_tag_row_start_is_equal : boolean;
+    variable slice1_best_tag_row_start_choice, slice1_best_tag_row_start_choice_2 : boolean;
+    variable slice1_best_tag_row_start_is_equal_2, slice1_best_tag_row_start_is_equal_3 : boolean;
+    variable slice1_best_tag_row_start_all, slice1_best_tag_row_start_choice_3 : boolean;
+    variable slice1_best_tag_row_start_all_2, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_c_below_a_value : boolean;
+    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
+    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
+    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
+    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
+    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2 : boolean;
+    variable map_of_low_0_c_below_a_choice_3, map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2 : boolean;
+    variable map_of_low_0_c_below_b_choice_3, map_of_middle_0_b_below_a_value : boolean;
+    variable map_of_middle_0_b_below_a_choice, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_b_below_a_choice_2, map_of_middle_0_b_below_a_value_2 : boolean;
+    variable map_of_middle_0_b_below_a_value_3, map_of_middle_0_b_below_a_choice_3 : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice : boolean;
+    variable map_of_middle_0_c_below_a_choice_2, map_of_middle_0_c_below_a_choice_3 : boolean;
+    variable map_of_middle_0_c_below_b_choice, map_of_middle_0_c_below_b_choice_2 : boolean;
+    variable map_of_middle_0_c_below_b_choice_3, map_of_high_0_b_below_a_value : boolean;
+    variable map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
+    variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3, map_of_high_0_c_below_a_value : boolean;
+    variable map_of_high_0_c_below_a_choice, map_of_high_0_c_below_a_choice_2 : boolean;
+    variable map_of_high_0_c_below_a_choice_3, map_of_high_0_c_below_b_choice : boolean;
+    variable map_of_high_0_c_below_b_choice_2, map_of_high_0_c_below_b_choice_3, map_of_all_0_b_below_a_value : boolean;
+    variable map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal, map_of_all_0_b_below_a_choice_2 : boolean;
+    variable map_of_all_0_b_below_a_value_2, map_of_all_0_b_below_a_value_3, map_of_all_0_b_below_a_choice_3 : boolean;
+    variable map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice, map_of_all_0_c_below_a_choice_2 : boolean;
+    variable map_of_all_0_c_below_a_choice_3, map_of_all_0_c_below_b_choice, map_of_all_0_c_below_b_choice_2 : boolean;
+    variable map_of_all_0_c_below_b_choice_3, map_low_1_0_all, map_low_0_0_all : boolean;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 127;
+    variable map_counter_group_choice, map_counter_group_choice_2 : natural range 0 to 127;
+    variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_middle_0_choice : natural range 0 to 15;
+    variable map_sorted_middle_0_choice_2, map_sorted_high_0_choice, map_sorted_high_0_choice_2 : natural range 0 to 15;
+    variable map_largest_low_0_choice, map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 15;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 15;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 15;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 15;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 15;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 15;
+    variable map_high_0_0_choice : natural range 0 to 15;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_features_start_of_frame_is_equal := map_counter_group = 64;
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 63;
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 2 when (raster_place_group = 65) and slice0cost_reverse_2_1 else (raster_place_group
-        + 1) mod 128;
-      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      raster_place_group_choice := in_valid and raster_place_group_is_equal_2 and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 33 else in_valid and raster_place_group_is_equal_2;
+      raster_place_group_choice_2 := 2 when raster_place_next_frame and (raster_place_group = 65) else
+        (raster_place_group + 1) mod 128;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_choice else raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((((raster_place_group / 2) mod 2) = 1) or (not
+        ((raster_place_group mod 2) = 1))) when raster_place_group_is_equal_2 and ((raster_place_group / 4) = 16) else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_2 := in_valid when raster_place_group_all else in_valid and (not
+        in_start_of_frame);
+      raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2 when raster_place_next_frame_choice else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid and in_start_of_frame;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
-      raster_features_start_of_frame <= raster_features_start_of_frame_is_equal;
       raster_features_valid <= in_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
-        raster_place_group_choice_2;
-      raster_place_next_frame <= raster_features_start_of_frame;
+      raster_place_group <= as_number(raster_place_group_all) * 64 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
+      raster_place_next_frame <= raster_place_next_frame_choice_3 or ((not in_valid) and raster_place_next_frame);
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+        raster_place_column <= 0 when in_start_of_frame or raster_place_group_is_equal_2 else (raster_place_column + 1)
+          mod 512;
       end if;
       -- delay
       if raster_features_valid then
@@ -444,15 +483,15 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_2 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 64;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_4 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_map_column <= ((raster_place_column + 65521) mod 65536) < 80;
-      delay_tag_start_of_frame <= (raster_place_group = 2) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_map_column <= (raster_place_column >= 15) and (raster_place_column < 319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -563,49 +602,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_reverse_2_2_is_equal := map_counter_column = 79;
-      slice0cost_reverse_2_2_choice := (map_counter_group /= 64) and slice0cost_reverse_2_2 when
-        slice0cost_reverse_2_2_is_equal else slice0cost_reverse_2_2;
-      slice0cost_reverse_2_2_choice_2 := slice0cost_reverse_2_2 when map_counter_group = 65 else
-        slice0cost_reverse_2_2_choice;
-      slice0cost_reverse_2_2_is_equal_2 := map_counter_group = 63;
-      slice0cost_reverse_2_2_all := slice0cost_reverse_2_2_is_equal and slice0cost_reverse_2_2_is_equal_2;
-      slice0cost_reverse_2_2_choice_3 := slice0cost_reverse_2_2_all or (not slice1_best_tag_start_of_frame) when
-        slice0cost_reverse_2_2_choice_2 else slice0cost_reverse_2_2_is_equal and slice0cost_reverse_2_2_is_equal_2 and
-        slice1_best_tag_start_of_frame;
-      slice0cost_reverse_2_2_all_2 := slice1_best_tag_valid and slice1_best_tag_map_column;
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -646,114 +642,93 @@ begin
       slice0cost_difference_4_5 <= slice0shift_search_4_5 - slice0shift_reference_4;
       slice0cost_difference_4_6 <= slice0shift_search_4_6 - slice0shift_reference_4;
       slice0cost_difference_4_7 <= slice0shift_search_4_7 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
-      slice0cost_reverse_2_0 <= raster_place_next_frame;
-      slice0cost_reverse_2_2 <= slice0cost_reverse_2_2 or slice0cost_reverse_2_2_all_2 when
-        slice0cost_reverse_2_2_choice_3 else slice0cost_reverse_2_2 and ((not slice1_best_tag_valid) or (not
-        slice1_best_tag_map_column));
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_1_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_1_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_1_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
       slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_1_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
       slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_1_4 + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
       slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_1_5 + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
       slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_1_6 + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
       slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_1_7 + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
-      slice0cost_reverse_2_1_choice := (raster_place_group /= 65) and slice0cost_reverse_2_1 when
-        raster_place_group_is_equal else slice0cost_reverse_2_1;
-      slice0cost_reverse_2_1_choice_2 := slice0cost_reverse_2_1 when raster_place_group = 66 else
-        slice0cost_reverse_2_1_choice;
-      if in_valid then
-        slice0cost_reverse_2_1 <= raster_place_group_all or (not in_start_of_frame) when
-          slice0cost_reverse_2_1_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
-      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -802,64 +777,82 @@ begin
       slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_3_7;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
         slice0window_tag_map_column <= slice1window_centre_map_column_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_map_column <= slice0window_tag_map_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 13)))) or (to_unsigned(slice0winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 13)))) or (to_unsigned(slice0winner1_of_four_0_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_map_column <= slice0winner3_tag_map_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -909,38 +902,6 @@ begin
       slice1shift_reference_3 <= slice0shift_reference_3;
       slice1shift_reference_4 <= slice0shift_reference_4;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
-      slice1cost_pair_1_4_choice := slice1cost_reverse_1_4 when slice1cost_difference_4_4 < 0 else
-        positive_part(slice1cost_difference_4_4);
-      slice1cost_pair_1_5_choice := slice1cost_reverse_1_5 when slice1cost_difference_4_5 < 0 else
-        positive_part(slice1cost_difference_4_5);
-      slice1cost_pair_1_6_choice := slice1cost_reverse_1_6 when slice1cost_difference_4_6 < 0 else
-        positive_part(slice1cost_difference_4_6);
-      slice1cost_pair_1_7_choice := slice1cost_reverse_1_7 when slice1cost_difference_4_7 < 0 else
-        positive_part(slice1cost_difference_4_7);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -981,86 +942,78 @@ begin
       slice1cost_difference_4_5 <= slice1shift_search_4_5 - slice1shift_reference_4;
       slice1cost_difference_4_6 <= slice1shift_search_4_6 - slice1shift_reference_4;
       slice1cost_difference_4_7 <= slice1shift_search_4_7 - slice1shift_reference_4;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_reverse_1_4 <= (slice1shift_reference_4 - slice1shift_search_4_4) mod 256;
-      slice1cost_reverse_1_5 <= (slice1shift_reference_4 - slice1shift_search_4_5) mod 256;
-      slice1cost_reverse_1_6 <= (slice1shift_reference_4 - slice1shift_search_4_6) mod 256;
-      slice1cost_reverse_1_7 <= (slice1shift_reference_4 - slice1shift_search_4_7) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+      slice1cost_pair_0_5 <= folded(slice1cost_difference_2_5) + folded(slice1cost_difference_1_5) +
         as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+      slice1cost_pair_0_6 <= folded(slice1cost_difference_2_6) + folded(slice1cost_difference_1_6) +
         as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+      slice1cost_pair_0_7 <= folded(slice1cost_difference_2_7) + folded(slice1cost_difference_1_7) +
         as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_pair_1_4 <= slice1cost_pair_1_4_choice + folded(slice1cost_difference_3_4) +
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
         as_number((slice1cost_difference_3_4 < 0));
-      slice1cost_pair_1_5 <= slice1cost_pair_1_5_choice + folded(slice1cost_difference_3_5) +
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
         as_number((slice1cost_difference_3_5 < 0));
-      slice1cost_pair_1_6 <= slice1cost_pair_1_6_choice + folded(slice1cost_difference_3_6) +
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
         as_number((slice1cost_difference_3_6 < 0));
-      slice1cost_pair_1_7 <= slice1cost_pair_1_7_choice + folded(slice1cost_difference_3_7) +
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
         as_number((slice1cost_difference_3_7 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_2_7 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
+      slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
+      slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
+      slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
+      slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_1_0 + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_1_1 + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
       slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_1_2 + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
       slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_1_3 + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
       slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_1_4 + slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
       slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_1_5 + slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
       slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_1_6 + slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
       slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_1_7 + slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1096,6 +1049,7 @@ begin
         slice1window_partial_0_3_6 <= slice1cost_column_0_6 + slice1window_partial_0_2_6;
         slice1window_partial_0_3_7 <= slice1cost_column_0_7 + slice1window_partial_0_2_7;
         slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       end if;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
@@ -1107,178 +1061,396 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_3_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 13))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 13)))) or (to_unsigned(slice1winner1_of_four_0_5, 13)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
+        slice1winner1_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
+      slice1_best_tag_row_start_is_equal := map_counter_group = 64;
+      slice1_best_tag_row_start_choice := (map_counter_column /= 303) and slice1_best_tag_row_start when
+        slice1_best_tag_row_start_is_equal else slice1_best_tag_row_start;
+      slice1_best_tag_row_start_choice_2 := slice1_best_tag_row_start when map_counter_group = 65 else
+        slice1_best_tag_row_start_choice;
+      slice1_best_tag_row_start_is_equal_2 := map_counter_group = 63;
+      slice1_best_tag_row_start_is_equal_3 := map_counter_column = 303;
+      slice1_best_tag_row_start_all := slice1_best_tag_row_start_is_equal_2 and slice1_best_tag_row_start_is_equal_3;
+      slice1_best_tag_row_start_choice_3 := slice1_best_tag_row_start_all or (not slice1_best_tag_start_of_frame) when
+        slice1_best_tag_row_start_choice_2 else slice1_best_tag_row_start_is_equal_2 and
+        slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_start_of_frame;
+      slice1_best_tag_row_start_all_2 := slice1_best_tag_valid and slice1_best_tag_map_column;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_row_start <= slice1_best_tag_row_start or slice1_best_tag_row_start_all_2 when
+        slice1_best_tag_row_start_choice_3 else slice1_best_tag_row_start and ((not slice1_best_tag_valid) or (not
+        slice1_best_tag_map_column));
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- map
-      if slice0cost_reverse_2_2_all_2 then
-        map_counter_column <= 0 when slice0cost_reverse_2_2_is_equal or slice1_best_tag_start_of_frame else
-          (map_counter_column + 1) mod 128;
+      if slice1_best_tag_row_start_all_2 then
+        map_counter_column <= 0 when slice1_best_tag_start_of_frame or slice1_best_tag_row_start_is_equal_3 else
+          (map_counter_column + 1) mod 512;
       end if;
-      map_counter_group_choice := 1 when raster_features_start_of_frame_is_equal and slice0cost_reverse_2_2 else
+      map_counter_group_choice := 1 when slice1_best_tag_row_start_is_equal and slice1_best_tag_row_start else
         (map_counter_group + 1) mod 128;
       map_counter_group_choice_2 := map_counter_group_choice when (map_counter_group /= 65) and
-        slice0cost_reverse_2_2_is_equal and slice1_best_tag_valid and slice1_best_tag_map_column else map_counter_group;
+        slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_valid and slice1_best_tag_map_column else
+        map_counter_group;
       map_line_ended_choice := slice1_best_tag_map_column when slice1_best_tag_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_passed_1_0_any := map_at_arrives or map_at_behind;
-      map_complete_is_equal := map_write_column = 0;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      map_out_disparity_0_choice := map_largest_low_0 when map_out_disparity_0_is_less else map_median_middle_0;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
-      map_counter_group <= as_number(slice0cost_reverse_2_2_all) * 64 when slice1_best_tag_start_of_frame and
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
+      map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
+      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_0 / 4) mod 2) =
+        1;
+      map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_0 / 2) mod
+        2) = 1;
+      map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
+        map_of_column_0_b_below_a_value_2) when map_of_column_0_b_below_a_choice_2 else not
+        map_of_column_0_b_below_a_value;
+      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
+        else map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_0 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
+        map_of_column_0_b_below_a_value_4) and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else
+        map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
+      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_counter_next_frame else
+        map_of_column_0_c_below_a_value;
+      map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_counter_next_frame when
+        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_counter_next_frame);
+      map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
+        and map_of_column_0_b_below_a_choice when map_of_column_0_c_below_a_choice else
+        (map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_counter_next_frame else
+        map_of_column_0_c_below_a_value_3;
+      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
+        map_of_column_0_b_below_a_value_4;
+      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
+        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
+        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_choice_5;
+      map_of_column_0_c_below_a_choice_7 := (map_column_1 / 16) = 1 when map_counter_next_frame else (map_column_2 /
+        16) = 1;
+      map_of_column_0_c_below_a_choice_8 := (map_column_1 / 16) = 1 when map_at_top else (other_0 / 16) = 1;
+      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
+        (not map_counter_next_frame) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2
+        and (not map_counter_next_frame) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value)
+        or map_counter_next_frame;
+      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
+        map_of_column_0_b_below_a_value_3) or map_counter_next_frame when map_of_column_0_c_below_b_choice else
+        map_of_column_0_c_below_a_value_3 and (not map_of_column_0_b_below_a_value_3) and (not map_counter_next_frame);
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
+      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
+      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
+      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      map_window_complete_is_equal := map_sorted_column = 0;
+      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
+        map_sorted_behind;
+      map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
+      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
+        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
+      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
+        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
+      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
+        mod 4) = 0;
+      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
+      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
+        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
+        map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
+      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
+      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
+        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
+        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
+        (map_middle_0_0 mod 4) = 0;
+      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
+      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_2;
+      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
+        map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
+        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
+      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_3;
+      map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
+      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
+        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
+      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
+        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
+      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
+        (map_high_0_0 mod 4) = 0;
+      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
+      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
+        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_2;
+      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
+        map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
+        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
+      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_3;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
+      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
+        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
+      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
+        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
+        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
+      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
+        (map_largest_low_0 mod 4) = 0;
+      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
+      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_2;
+      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
+        else map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
+        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
+        map_of_all_0_c_below_b_choice;
+      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_3;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= as_number(slice1_best_tag_row_start_all) * 64 when slice1_best_tag_start_of_frame and
         slice1_best_tag_valid and slice1_best_tag_map_column else map_counter_group_choice_2;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= (slice1_best_index_0_0 * 2) + 1;
-      map_arrives <= slice0cost_reverse_2_2_all_2;
+      map_arrives <= slice1_best_tag_row_start_all_2;
       map_behind <= map_line_ended and slice1_best_tag_valid;
       map_line_ended <= map_line_ended_choice when slice1_best_tag_end_of_line else map_line_ended and (not
         slice1_best_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 64;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_output <= map_ready_output;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_complete <= map_at_output and map_at_behind when map_complete_is_equal else map_at_output and
-        map_passed_1_0_any;
-      map_first <= map_at_arrives and map_at_top and (map_write_column = 1);
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
+      map_at_column <= to_integer(other_1(8 downto 0));
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_0 / 2;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_column_1 / 2 when map_counter_next_frame else map_column_2 / 2;
+      map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_0 / 16) = 1) and (not map_at_top) when
+        map_of_column_0_b_below_a_choice_5 else (not ((map_column_1 / 16) = 1)) or ((other_0 / 16) = 1) or map_at_top;
+      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_7) or map_of_column_0_c_below_a_choice_8 when
+        map_of_column_0_c_below_a_choice_6 else (not map_of_column_0_c_below_a_choice_7) and
+        map_of_column_0_c_below_a_choice_8;
+      map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1) and (not
+        map_counter_next_frame) when map_of_column_0_c_below_b_choice_2 else (not ((map_column_2 / 16) = 1)) or
+        ((map_column_1 / 16) = 1) or map_counter_next_frame;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_at_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output and map_window_complete_choice;
+      map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1)) when
+        map_of_low_0_b_below_a_choice_3 else ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
+      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1) when
+        map_of_low_0_c_below_a_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
+      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1) when
+        map_of_low_0_c_below_b_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1)) when
+        map_of_middle_0_b_below_a_choice_3 else ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
+      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1) when
+        map_of_middle_0_c_below_a_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
+      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1) when
+        map_of_middle_0_c_below_b_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1)) when
+        map_of_high_0_b_below_a_choice_3 else ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
+      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1) when
+        map_of_high_0_c_below_a_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
+      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1) when
+        map_of_high_0_c_below_b_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1)) when
+        map_of_all_0_b_below_a_choice_3 else ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
+      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1) when
+        map_of_all_0_c_below_a_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
+      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1) when
+        map_of_all_0_c_below_b_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
-        map_at_column <= map_ready_column;
+        map_write_column <= to_integer(other_1(8 downto 0));
       end if;
-      if slice0cost_reverse_2_0 then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := map_column_2 / 2;
-      end if;
-      if map_at_top then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := other_0 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice_2;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_3 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      if map_low_0_0_choice < map_low_0_0_choice_3 then
-        map_low_0_0_choice_4 := map_low_0_0_choice;
-      else
-        map_low_0_0_choice_4 := map_low_0_0_choice_3;
-      end if;
-      map_low_0_0_choice_5 := map_low_0_0 when map_at_behind else map_low_0_0_choice_4;
-      map_low_1_0_all := map_complete_is_equal and map_at_arrives;
-      map_middle_0_0_choice := map_low_0_0_choice_2 when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := map_low_0_0_choice < map_middle_0_0_choice;
-      if map_middle_0_0_is_less then
-        map_middle_0_0_choice_2 := map_low_0_0_choice;
-      else
-        map_middle_0_0_choice_2 := map_middle_0_0_choice;
-      end if;
-      map_middle_0_0_choice_3 := map_low_0_0_choice_3 when map_middle_0_0_choice_2 < map_low_0_0_choice_3 else
-        map_middle_0_0_choice_2;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      map_high_0_0_choice := map_middle_0_0_choice when map_middle_0_0_is_less else map_low_0_0_choice;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      if not map_passed_1_0_all then
-        map_low_0_0 <= map_low_0_0_choice_5;
-        map_low_1_0 <= map_low_0_0_choice_5 when map_low_1_0_all else map_low_0_0;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_0 <= (((map_rows_ready_words_0 mod 512) / 2) mod 16) * 2;
+      other_1 <= other_2;
+      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 65))), 1) &
+        to_unsigned(as_number(slice1_best_tag_row_start_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)),
+        8) & to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 66;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1305,8 +1477,6 @@ begin
         slice0shift_tag_map_column <= false;
         slice0shift_tag_start_of_frame <= false;
         slice0shift_tag_end_of_line <= false;
-        slice0cost_reverse_2_1 <= false;
-        slice0cost_reverse_2_2 <= false;
         slice0cost_difference_tag_valid <= false;
         slice0cost_difference_tag_map_column <= false;
         slice0cost_difference_tag_start_of_frame <= false;
@@ -1321,12 +1491,19 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_map_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_map_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_map_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_map_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1335,17 +1512,15 @@ begin
         slice0winner2_tag_map_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_map_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_map_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
         slice1window_centre_map_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
+        slice1_best_tag_row_start <= false;
         slice1_best_tag_map_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
@@ -1354,31 +1529,39 @@ begin
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_1 <= to_unsigned(0, 49);
+        other_2 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_p4: 96x64, 16 disparities, window 5x5, 4 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_p4: 320x64, 16 disparities, window 5x5, 4 pixel pairs a clock.
 -- Options: disparities 16, window_px 5, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_p4
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_p4 is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 15;
-    flush_groups : positive := 97;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 16;
+    flush_groups : positive := 321;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_p4 is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_p4: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_p4: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_p4: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_p4: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 4 report "stereo_core_study_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 15 report "stereo_core_study_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
-  assert flush_groups = 97 report "stereo_core_study_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 97" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 16 report "stereo_core_study_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert flush_groups = 321 report "stereo_core_study_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 321" severity failure;
   assert gap_groups = 0 report "stereo_core_study_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_p4 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_p4 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -96,14 +94,14 @@ architecture rtl of stereo_core_study_p4 is
   signal raster_features_search_0, raster_features_search_1, raster_features_search_2 : natural range 0 to 255;
   signal raster_features_search_3 : natural range 0 to 255;
   signal raster_features_reference : unsigned(31 downto 0);
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
   signal raster_place_group : natural range 0 to 31;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0, delay_ahead_1, delay_ahead_2, delay_ahead_3 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(31 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_2, delay_row_inside_6, delay_tag_valid, delay_tag_border_column : boolean;
   signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
@@ -123,7 +121,7 @@ architecture rtl of stereo_core_study_p4 is
   signal rows_reference_7 : natural range 0 to 255;
   signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1 : natural range 0 to 65535;
   signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 65535;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_2, rows_read_inside_6, rows_read_tag_valid : boolean;
   signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
   signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_2, rows_ready_inside_6 : boolean;
@@ -183,14 +181,25 @@ architecture rtl of stereo_core_study_p4 is
   signal slice0cost_difference_7_1, slice0cost_difference_7_2, slice0cost_difference_7_3 : integer range -255 to 255;
   signal slice0cost_difference_7_4, slice0cost_difference_7_5, slice0cost_difference_7_6 : integer range -255 to 255;
   signal slice0cost_difference_7_7 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_1_0 : natural range 0 to 255;
-  signal slice0cost_reverse_1_1, slice0cost_reverse_1_2, slice0cost_reverse_1_3 : natural range 0 to 255;
-  signal slice0cost_reverse_1_4, slice0cost_reverse_1_5, slice0cost_reverse_1_6 : natural range 0 to 255;
-  signal slice0cost_reverse_1_7, slice0cost_reverse_2_0, slice0cost_reverse_2_1 : natural range 0 to 255;
-  signal slice0cost_reverse_2_2, slice0cost_reverse_2_3, slice0cost_reverse_2_4 : natural range 0 to 255;
-  signal slice0cost_reverse_2_5, slice0cost_reverse_2_6, slice0cost_reverse_2_7 : natural range 0 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4, slice0cost_negative_1_5 : boolean;
+  signal slice0cost_negative_1_6, slice0cost_negative_1_7, slice0cost_negative_2_0, slice0cost_negative_2_1 : boolean;
+  signal slice0cost_negative_2_2, slice0cost_negative_2_3, slice0cost_negative_2_4, slice0cost_negative_2_5 : boolean;
+  signal slice0cost_negative_2_6, slice0cost_negative_2_7, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
+  signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 511;
+  signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 511;
+  signal slice0cost_pair_2_0, slice0cost_pair_2_1, slice0cost_pair_2_2, slice0cost_pair_2_3 : natural range 0 to 511;
+  signal slice0cost_pair_2_4, slice0cost_pair_2_5, slice0cost_pair_2_6, slice0cost_pair_2_7 : natural range 0 to 511;
   signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
   signal slice0cost_single_0_6, slice0cost_single_0_7, slice0cost_single_2_0 : natural range 0 to 255;
@@ -202,136 +211,134 @@ architecture rtl of stereo_core_study_p4 is
   signal slice0cost_single_7_0, slice0cost_single_7_1, slice0cost_single_7_2 : natural range 0 to 255;
   signal slice0cost_single_7_3, slice0cost_single_7_4, slice0cost_single_7_5 : natural range 0 to 255;
   signal slice0cost_single_7_6, slice0cost_single_7_7 : natural range 0 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_2_0, slice0cost_negative_2_1 : boolean;
-  signal slice0cost_negative_2_2, slice0cost_negative_2_3, slice0cost_negative_2_4, slice0cost_negative_2_5 : boolean;
-  signal slice0cost_negative_2_6, slice0cost_negative_2_7, slice0cost_negative_5_0, slice0cost_negative_5_1 : boolean;
-  signal slice0cost_negative_5_2, slice0cost_negative_5_3, slice0cost_negative_5_4, slice0cost_negative_5_5 : boolean;
-  signal slice0cost_negative_5_6, slice0cost_negative_5_7, slice0cost_negative_7_0, slice0cost_negative_7_1 : boolean;
-  signal slice0cost_negative_7_2, slice0cost_negative_7_3, slice0cost_negative_7_4, slice0cost_negative_7_5 : boolean;
-  signal slice0cost_negative_7_6, slice0cost_negative_7_7, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
-  signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 511;
-  signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 511;
-  signal slice0cost_pair_2_0, slice0cost_pair_2_1, slice0cost_pair_2_2, slice0cost_pair_2_3 : natural range 0 to 511;
-  signal slice0cost_pair_2_4, slice0cost_pair_2_5, slice0cost_pair_2_6, slice0cost_pair_2_7 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1278;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_1_0 : natural range 0 to 1278;
-  signal slice0cost_column_1_1, slice0cost_column_1_2, slice0cost_column_1_3 : natural range 0 to 1278;
-  signal slice0cost_column_1_4, slice0cost_column_1_5, slice0cost_column_1_6 : natural range 0 to 1278;
-  signal slice0cost_column_1_7, slice0cost_column_2_0, slice0cost_column_2_1 : natural range 0 to 1278;
-  signal slice0cost_column_2_2, slice0cost_column_2_3, slice0cost_column_2_4 : natural range 0 to 1278;
-  signal slice0cost_column_2_5, slice0cost_column_2_6, slice0cost_column_2_7 : natural range 0 to 1278;
-  signal slice0cost_column_3_0, slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 1278;
-  signal slice0cost_column_3_3, slice0cost_column_3_4, slice0cost_column_3_5 : natural range 0 to 1278;
-  signal slice0cost_column_3_6, slice0cost_column_3_7 : natural range 0 to 1278;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1279;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_1_0 : natural range 0 to 1279;
+  signal slice0cost_column_1_1, slice0cost_column_1_2, slice0cost_column_1_3 : natural range 0 to 1279;
+  signal slice0cost_column_1_4, slice0cost_column_1_5, slice0cost_column_1_6 : natural range 0 to 1279;
+  signal slice0cost_column_1_7, slice0cost_column_2_0, slice0cost_column_2_1 : natural range 0 to 1279;
+  signal slice0cost_column_2_2, slice0cost_column_2_3, slice0cost_column_2_4 : natural range 0 to 1279;
+  signal slice0cost_column_2_5, slice0cost_column_2_6, slice0cost_column_2_7 : natural range 0 to 1279;
+  signal slice0cost_column_3_0, slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 1279;
+  signal slice0cost_column_3_3, slice0cost_column_3_4, slice0cost_column_3_5 : natural range 0 to 1279;
+  signal slice0cost_column_3_6, slice0cost_column_3_7 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_1_0_0 : natural range 0 to 1278;
-  signal slice0window_partial_1_0_1, slice0window_partial_1_0_2, slice0window_partial_1_0_3 : natural range 0 to 1278;
-  signal slice0window_partial_1_0_4, slice0window_partial_1_0_5, slice0window_partial_1_0_6 : natural range 0 to 1278;
-  signal slice0window_partial_1_0_7, slice0window_partial_2_0_0, slice0window_partial_2_0_1 : natural range 0 to 1278;
-  signal slice0window_partial_2_0_2, slice0window_partial_2_0_3, slice0window_partial_2_0_4 : natural range 0 to 1278;
-  signal slice0window_partial_2_0_5, slice0window_partial_2_0_6, slice0window_partial_2_0_7 : natural range 0 to 1278;
-  signal slice0window_partial_3_0_0, slice0window_partial_3_0_1, slice0window_partial_3_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_3_0_3, slice0window_partial_3_0_4, slice0window_partial_3_0_5 : natural range 0 to 1278;
-  signal slice0window_partial_3_0_6, slice0window_partial_3_0_7 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_1_1_0 : natural range 0 to 2556;
-  signal slice0window_partial_1_1_1, slice0window_partial_1_1_2, slice0window_partial_1_1_3 : natural range 0 to 2556;
-  signal slice0window_partial_1_1_4, slice0window_partial_1_1_5, slice0window_partial_1_1_6 : natural range 0 to 2556;
-  signal slice0window_partial_1_1_7, slice0window_partial_2_1_0, slice0window_partial_2_1_1 : natural range 0 to 2556;
-  signal slice0window_partial_2_1_2, slice0window_partial_2_1_3, slice0window_partial_2_1_4 : natural range 0 to 2556;
-  signal slice0window_partial_2_1_5, slice0window_partial_2_1_6, slice0window_partial_2_1_7 : natural range 0 to 2556;
-  signal slice0window_partial_3_1_0, slice0window_partial_3_1_1, slice0window_partial_3_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_3_1_3, slice0window_partial_3_1_4, slice0window_partial_3_1_5 : natural range 0 to 2556;
-  signal slice0window_partial_3_1_6, slice0window_partial_3_1_7 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7, slice0window_partial_1_2_0 : natural range 0 to 3834;
-  signal slice0window_partial_1_2_1, slice0window_partial_1_2_2, slice0window_partial_1_2_3 : natural range 0 to 3834;
-  signal slice0window_partial_1_2_4, slice0window_partial_1_2_5, slice0window_partial_1_2_6 : natural range 0 to 3834;
-  signal slice0window_partial_1_2_7, slice0window_partial_2_2_0, slice0window_partial_2_2_1 : natural range 0 to 3834;
-  signal slice0window_partial_2_2_2, slice0window_partial_2_2_3, slice0window_partial_2_2_4 : natural range 0 to 3834;
-  signal slice0window_partial_2_2_5, slice0window_partial_2_2_6, slice0window_partial_2_2_7 : natural range 0 to 3834;
-  signal slice0window_partial_3_2_0, slice0window_partial_3_2_1, slice0window_partial_3_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_3_2_3, slice0window_partial_3_2_4, slice0window_partial_3_2_5 : natural range 0 to 3834;
-  signal slice0window_partial_3_2_6, slice0window_partial_3_2_7 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7, slice0window_partial_1_3_0 : natural range 0 to 5112;
-  signal slice0window_partial_1_3_1, slice0window_partial_1_3_2, slice0window_partial_1_3_3 : natural range 0 to 5112;
-  signal slice0window_partial_1_3_4, slice0window_partial_1_3_5, slice0window_partial_1_3_6 : natural range 0 to 5112;
-  signal slice0window_partial_1_3_7, slice0window_partial_2_3_0, slice0window_partial_2_3_1 : natural range 0 to 5112;
-  signal slice0window_partial_2_3_2, slice0window_partial_2_3_3, slice0window_partial_2_3_4 : natural range 0 to 5112;
-  signal slice0window_partial_2_3_5, slice0window_partial_2_3_6, slice0window_partial_2_3_7 : natural range 0 to 5112;
-  signal slice0window_partial_3_3_0, slice0window_partial_3_3_1, slice0window_partial_3_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_3_3_3, slice0window_partial_3_3_4, slice0window_partial_3_3_5 : natural range 0 to 5112;
-  signal slice0window_partial_3_3_6, slice0window_partial_3_3_7 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_1_0_0 : natural range 0 to 1279;
+  signal slice0window_partial_1_0_1, slice0window_partial_1_0_2, slice0window_partial_1_0_3 : natural range 0 to 1279;
+  signal slice0window_partial_1_0_4, slice0window_partial_1_0_5, slice0window_partial_1_0_6 : natural range 0 to 1279;
+  signal slice0window_partial_1_0_7, slice0window_partial_2_0_0, slice0window_partial_2_0_1 : natural range 0 to 1279;
+  signal slice0window_partial_2_0_2, slice0window_partial_2_0_3, slice0window_partial_2_0_4 : natural range 0 to 1279;
+  signal slice0window_partial_2_0_5, slice0window_partial_2_0_6, slice0window_partial_2_0_7 : natural range 0 to 1279;
+  signal slice0window_partial_3_0_0, slice0window_partial_3_0_1, slice0window_partial_3_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_3_0_3, slice0window_partial_3_0_4, slice0window_partial_3_0_5 : natural range 0 to 1279;
+  signal slice0window_partial_3_0_6, slice0window_partial_3_0_7 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_1_1_0 : natural range 0 to 2558;
+  signal slice0window_partial_1_1_1, slice0window_partial_1_1_2, slice0window_partial_1_1_3 : natural range 0 to 2558;
+  signal slice0window_partial_1_1_4, slice0window_partial_1_1_5, slice0window_partial_1_1_6 : natural range 0 to 2558;
+  signal slice0window_partial_1_1_7, slice0window_partial_2_1_0, slice0window_partial_2_1_1 : natural range 0 to 2558;
+  signal slice0window_partial_2_1_2, slice0window_partial_2_1_3, slice0window_partial_2_1_4 : natural range 0 to 2558;
+  signal slice0window_partial_2_1_5, slice0window_partial_2_1_6, slice0window_partial_2_1_7 : natural range 0 to 2558;
+  signal slice0window_partial_3_1_0, slice0window_partial_3_1_1, slice0window_partial_3_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_3_1_3, slice0window_partial_3_1_4, slice0window_partial_3_1_5 : natural range 0 to 2558;
+  signal slice0window_partial_3_1_6, slice0window_partial_3_1_7 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7, slice0window_partial_1_2_0 : natural range 0 to 3837;
+  signal slice0window_partial_1_2_1, slice0window_partial_1_2_2, slice0window_partial_1_2_3 : natural range 0 to 3837;
+  signal slice0window_partial_1_2_4, slice0window_partial_1_2_5, slice0window_partial_1_2_6 : natural range 0 to 3837;
+  signal slice0window_partial_1_2_7, slice0window_partial_2_2_0, slice0window_partial_2_2_1 : natural range 0 to 3837;
+  signal slice0window_partial_2_2_2, slice0window_partial_2_2_3, slice0window_partial_2_2_4 : natural range 0 to 3837;
+  signal slice0window_partial_2_2_5, slice0window_partial_2_2_6, slice0window_partial_2_2_7 : natural range 0 to 3837;
+  signal slice0window_partial_3_2_0, slice0window_partial_3_2_1, slice0window_partial_3_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_3_2_3, slice0window_partial_3_2_4, slice0window_partial_3_2_5 : natural range 0 to 3837;
+  signal slice0window_partial_3_2_6, slice0window_partial_3_2_7 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7, slice0window_partial_1_3_0 : natural range 0 to 5116;
+  signal slice0window_partial_1_3_1, slice0window_partial_1_3_2, slice0window_partial_1_3_3 : natural range 0 to 5116;
+  signal slice0window_partial_1_3_4, slice0window_partial_1_3_5, slice0window_partial_1_3_6 : natural range 0 to 5116;
+  signal slice0window_partial_1_3_7, slice0window_partial_2_3_0, slice0window_partial_2_3_1 : natural range 0 to 5116;
+  signal slice0window_partial_2_3_2, slice0window_partial_2_3_3, slice0window_partial_2_3_4 : natural range 0 to 5116;
+  signal slice0window_partial_2_3_5, slice0window_partial_2_3_6, slice0window_partial_2_3_7 : natural range 0 to 5116;
+  signal slice0window_partial_3_3_0, slice0window_partial_3_3_1, slice0window_partial_3_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_3_3_3, slice0window_partial_3_3_4, slice0window_partial_3_3_5 : natural range 0 to 5116;
+  signal slice0window_partial_3_3_6, slice0window_partial_3_3_7 : natural range 0 to 5116;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0 : boolean;
+  signal slice0window_centre_end_of_line_1, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6390;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_1_0 : natural range 0 to 6390;
-  signal slice0window_sum_1_1, slice0window_sum_1_2, slice0window_sum_1_3 : natural range 0 to 6390;
-  signal slice0window_sum_1_4, slice0window_sum_1_5, slice0window_sum_1_6 : natural range 0 to 6390;
-  signal slice0window_sum_1_7, slice0window_sum_2_0, slice0window_sum_2_1 : natural range 0 to 6390;
-  signal slice0window_sum_2_2, slice0window_sum_2_3, slice0window_sum_2_4 : natural range 0 to 6390;
-  signal slice0window_sum_2_5, slice0window_sum_2_6, slice0window_sum_2_7 : natural range 0 to 6390;
-  signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 6390;
-  signal slice0window_sum_3_3, slice0window_sum_3_4, slice0window_sum_3_5 : natural range 0 to 6390;
-  signal slice0window_sum_3_6, slice0window_sum_3_7 : natural range 0 to 6390;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6395;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_1_0 : natural range 0 to 6395;
+  signal slice0window_sum_1_1, slice0window_sum_1_2, slice0window_sum_1_3 : natural range 0 to 6395;
+  signal slice0window_sum_1_4, slice0window_sum_1_5, slice0window_sum_1_6 : natural range 0 to 6395;
+  signal slice0window_sum_1_7, slice0window_sum_2_0, slice0window_sum_2_1 : natural range 0 to 6395;
+  signal slice0window_sum_2_2, slice0window_sum_2_3, slice0window_sum_2_4 : natural range 0 to 6395;
+  signal slice0window_sum_2_5, slice0window_sum_2_6, slice0window_sum_2_7 : natural range 0 to 6395;
+  signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 6395;
+  signal slice0window_sum_3_3, slice0window_sum_3_4, slice0window_sum_3_5 : natural range 0 to 6395;
+  signal slice0window_sum_3_6, slice0window_sum_3_7 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_2_2, slice0winner1_best_cost_2_3 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_3_2, slice0winner1_best_cost_3_3 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
-  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_2_1, slice0winner1_best_index_3_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_2_2, slice0winner1_best_index_3_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_2_3, slice0winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_1_0 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2, slice0winner1_of_pair_1_3 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_1_4, slice0winner1_of_pair_1_5, slice0winner1_of_pair_1_6 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_1_7, slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_2_2, slice0winner1_of_pair_2_3, slice0winner1_of_pair_2_4 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_2_5, slice0winner1_of_pair_2_6, slice0winner1_of_pair_2_7 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_3_3, slice0winner1_of_pair_3_4, slice0winner1_of_pair_3_5 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_3_6, slice0winner1_of_pair_3_7, slice0winner1_of_four_0_0 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_7, slice0winner1_of_four_1_0, slice0winner1_of_four_1_1 : natural range 0 to 6395;
+  signal slice0winner1_of_four_1_2, slice0winner1_of_four_1_3, slice0winner1_of_four_1_4 : natural range 0 to 6395;
+  signal slice0winner1_of_four_1_5, slice0winner1_of_four_1_6, slice0winner1_of_four_1_7 : natural range 0 to 6395;
+  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_2_3, slice0winner1_of_four_2_4, slice0winner1_of_four_2_5 : natural range 0 to 6395;
+  signal slice0winner1_of_four_2_6, slice0winner1_of_four_2_7, slice0winner1_of_four_3_0 : natural range 0 to 6395;
+  signal slice0winner1_of_four_3_1, slice0winner1_of_four_3_2, slice0winner1_of_four_3_3 : natural range 0 to 6395;
+  signal slice0winner1_of_four_3_4, slice0winner1_of_four_3_5, slice0winner1_of_four_3_6 : natural range 0 to 6395;
+  signal slice0winner1_of_four_3_7 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
+  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_pair_index_2_1, slice0winner1_pair_index_3_1 : natural range 0 to 3;
+  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_four_index_2_0, slice0winner1_four_index_3_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_2_0, slice0winner1_best_index_3_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_2_2, slice0winner1_pair_index_3_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_pair_index_2_3, slice0winner1_pair_index_3_3 : natural range 0 to 7;
+  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_four_index_2_1, slice0winner1_four_index_3_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_2_1, slice0winner1_best_index_3_1 : natural range 0 to 7;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 8191;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 6390;
-  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_2_1 : natural range 0 to 6390;
-  signal slice0winner2_best_cost_3_0, slice0winner2_best_cost_3_1 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_2_1, slice0winner2_best_index_3_1 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 8191;
+  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_3_0 : natural range 0 to 8191;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 7;
+  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 6390;
-  signal slice0winner3_best_cost_2_0, slice0winner3_best_cost_3_0 : natural range 0 to 6390;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_2_0, slice0winner3_best_index_3_0 : natural range 0 to 7;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 6390;
-  signal slice0_best_cost_3_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 8191;
+  signal slice0_best_cost_3_0 : natural range 0 to 8191;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 15;
   signal slice0_best_index_3_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -384,14 +391,18 @@ architecture rtl of stereo_core_study_p4 is
   signal slice1cost_difference_7_1, slice1cost_difference_7_2, slice1cost_difference_7_3 : integer range -255 to 255;
   signal slice1cost_difference_7_4, slice1cost_difference_7_5, slice1cost_difference_7_6 : integer range -255 to 255;
   signal slice1cost_difference_7_7 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_1_0 : natural range 0 to 255;
-  signal slice1cost_reverse_1_1, slice1cost_reverse_1_2, slice1cost_reverse_1_3 : natural range 0 to 255;
-  signal slice1cost_reverse_1_4, slice1cost_reverse_1_5, slice1cost_reverse_1_6 : natural range 0 to 255;
-  signal slice1cost_reverse_1_7, slice1cost_reverse_2_0, slice1cost_reverse_2_1 : natural range 0 to 255;
-  signal slice1cost_reverse_2_2, slice1cost_reverse_2_3, slice1cost_reverse_2_4 : natural range 0 to 255;
-  signal slice1cost_reverse_2_5, slice1cost_reverse_2_6, slice1cost_reverse_2_7 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
+  signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
+  signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 511;
+  signal slice1cost_pair_2_0, slice1cost_pair_2_1, slice1cost_pair_2_2, slice1cost_pair_2_3 : natural range 0 to 511;
+  signal slice1cost_pair_2_4, slice1cost_pair_2_5, slice1cost_pair_2_6, slice1cost_pair_2_7 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_negative_2_0, slice1cost_negative_2_1, slice1cost_negative_2_2, slice1cost_negative_2_3 : boolean;
+  signal slice1cost_negative_2_4, slice1cost_negative_2_5, slice1cost_negative_2_6, slice1cost_negative_2_7 : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 255;
   signal slice1cost_single_0_6, slice1cost_single_0_7, slice1cost_single_2_0 : natural range 0 to 255;
@@ -403,120 +414,122 @@ architecture rtl of stereo_core_study_p4 is
   signal slice1cost_single_7_0, slice1cost_single_7_1, slice1cost_single_7_2 : natural range 0 to 255;
   signal slice1cost_single_7_3, slice1cost_single_7_4, slice1cost_single_7_5 : natural range 0 to 255;
   signal slice1cost_single_7_6, slice1cost_single_7_7 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
-  signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
-  signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 511;
-  signal slice1cost_pair_2_0, slice1cost_pair_2_1, slice1cost_pair_2_2, slice1cost_pair_2_3 : natural range 0 to 511;
-  signal slice1cost_pair_2_4, slice1cost_pair_2_5, slice1cost_pair_2_6, slice1cost_pair_2_7 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
-  signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_negative_2_0, slice1cost_negative_2_1, slice1cost_negative_2_2, slice1cost_negative_2_3 : boolean;
-  signal slice1cost_negative_2_4, slice1cost_negative_2_5, slice1cost_negative_2_6, slice1cost_negative_2_7 : boolean;
-  signal slice1cost_negative_5_0, slice1cost_negative_5_1, slice1cost_negative_5_2, slice1cost_negative_5_3 : boolean;
-  signal slice1cost_negative_5_4, slice1cost_negative_5_5, slice1cost_negative_5_6, slice1cost_negative_5_7 : boolean;
-  signal slice1cost_negative_7_0, slice1cost_negative_7_1, slice1cost_negative_7_2, slice1cost_negative_7_3 : boolean;
-  signal slice1cost_negative_7_4, slice1cost_negative_7_5, slice1cost_negative_7_6, slice1cost_negative_7_7 : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1278;
-  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_1_0 : natural range 0 to 1278;
-  signal slice1cost_column_1_1, slice1cost_column_1_2, slice1cost_column_1_3 : natural range 0 to 1278;
-  signal slice1cost_column_1_4, slice1cost_column_1_5, slice1cost_column_1_6 : natural range 0 to 1278;
-  signal slice1cost_column_1_7, slice1cost_column_2_0, slice1cost_column_2_1 : natural range 0 to 1278;
-  signal slice1cost_column_2_2, slice1cost_column_2_3, slice1cost_column_2_4 : natural range 0 to 1278;
-  signal slice1cost_column_2_5, slice1cost_column_2_6, slice1cost_column_2_7 : natural range 0 to 1278;
-  signal slice1cost_column_3_0, slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 1278;
-  signal slice1cost_column_3_3, slice1cost_column_3_4, slice1cost_column_3_5 : natural range 0 to 1278;
-  signal slice1cost_column_3_6, slice1cost_column_3_7 : natural range 0 to 1278;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1279;
+  signal slice1cost_column_0_6, slice1cost_column_0_7, slice1cost_column_1_0 : natural range 0 to 1279;
+  signal slice1cost_column_1_1, slice1cost_column_1_2, slice1cost_column_1_3 : natural range 0 to 1279;
+  signal slice1cost_column_1_4, slice1cost_column_1_5, slice1cost_column_1_6 : natural range 0 to 1279;
+  signal slice1cost_column_1_7, slice1cost_column_2_0, slice1cost_column_2_1 : natural range 0 to 1279;
+  signal slice1cost_column_2_2, slice1cost_column_2_3, slice1cost_column_2_4 : natural range 0 to 1279;
+  signal slice1cost_column_2_5, slice1cost_column_2_6, slice1cost_column_2_7 : natural range 0 to 1279;
+  signal slice1cost_column_3_0, slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 1279;
+  signal slice1cost_column_3_3, slice1cost_column_3_4, slice1cost_column_3_5 : natural range 0 to 1279;
+  signal slice1cost_column_3_6, slice1cost_column_3_7 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_1_0_0 : natural range 0 to 1278;
-  signal slice1window_partial_1_0_1, slice1window_partial_1_0_2, slice1window_partial_1_0_3 : natural range 0 to 1278;
-  signal slice1window_partial_1_0_4, slice1window_partial_1_0_5, slice1window_partial_1_0_6 : natural range 0 to 1278;
-  signal slice1window_partial_1_0_7, slice1window_partial_2_0_0, slice1window_partial_2_0_1 : natural range 0 to 1278;
-  signal slice1window_partial_2_0_2, slice1window_partial_2_0_3, slice1window_partial_2_0_4 : natural range 0 to 1278;
-  signal slice1window_partial_2_0_5, slice1window_partial_2_0_6, slice1window_partial_2_0_7 : natural range 0 to 1278;
-  signal slice1window_partial_3_0_0, slice1window_partial_3_0_1, slice1window_partial_3_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_3_0_3, slice1window_partial_3_0_4, slice1window_partial_3_0_5 : natural range 0 to 1278;
-  signal slice1window_partial_3_0_6, slice1window_partial_3_0_7 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_1_1_0 : natural range 0 to 2556;
-  signal slice1window_partial_1_1_1, slice1window_partial_1_1_2, slice1window_partial_1_1_3 : natural range 0 to 2556;
-  signal slice1window_partial_1_1_4, slice1window_partial_1_1_5, slice1window_partial_1_1_6 : natural range 0 to 2556;
-  signal slice1window_partial_1_1_7, slice1window_partial_2_1_0, slice1window_partial_2_1_1 : natural range 0 to 2556;
-  signal slice1window_partial_2_1_2, slice1window_partial_2_1_3, slice1window_partial_2_1_4 : natural range 0 to 2556;
-  signal slice1window_partial_2_1_5, slice1window_partial_2_1_6, slice1window_partial_2_1_7 : natural range 0 to 2556;
-  signal slice1window_partial_3_1_0, slice1window_partial_3_1_1, slice1window_partial_3_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_3_1_3, slice1window_partial_3_1_4, slice1window_partial_3_1_5 : natural range 0 to 2556;
-  signal slice1window_partial_3_1_6, slice1window_partial_3_1_7 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7, slice1window_partial_1_2_0 : natural range 0 to 3834;
-  signal slice1window_partial_1_2_1, slice1window_partial_1_2_2, slice1window_partial_1_2_3 : natural range 0 to 3834;
-  signal slice1window_partial_1_2_4, slice1window_partial_1_2_5, slice1window_partial_1_2_6 : natural range 0 to 3834;
-  signal slice1window_partial_1_2_7, slice1window_partial_2_2_0, slice1window_partial_2_2_1 : natural range 0 to 3834;
-  signal slice1window_partial_2_2_2, slice1window_partial_2_2_3, slice1window_partial_2_2_4 : natural range 0 to 3834;
-  signal slice1window_partial_2_2_5, slice1window_partial_2_2_6, slice1window_partial_2_2_7 : natural range 0 to 3834;
-  signal slice1window_partial_3_2_0, slice1window_partial_3_2_1, slice1window_partial_3_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_3_2_3, slice1window_partial_3_2_4, slice1window_partial_3_2_5 : natural range 0 to 3834;
-  signal slice1window_partial_3_2_6, slice1window_partial_3_2_7 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7, slice1window_partial_1_3_0 : natural range 0 to 5112;
-  signal slice1window_partial_1_3_1, slice1window_partial_1_3_2, slice1window_partial_1_3_3 : natural range 0 to 5112;
-  signal slice1window_partial_1_3_4, slice1window_partial_1_3_5, slice1window_partial_1_3_6 : natural range 0 to 5112;
-  signal slice1window_partial_1_3_7, slice1window_partial_2_3_0, slice1window_partial_2_3_1 : natural range 0 to 5112;
-  signal slice1window_partial_2_3_2, slice1window_partial_2_3_3, slice1window_partial_2_3_4 : natural range 0 to 5112;
-  signal slice1window_partial_2_3_5, slice1window_partial_2_3_6, slice1window_partial_2_3_7 : natural range 0 to 5112;
-  signal slice1window_partial_3_3_0, slice1window_partial_3_3_1, slice1window_partial_3_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_3_3_3, slice1window_partial_3_3_4, slice1window_partial_3_3_5 : natural range 0 to 5112;
-  signal slice1window_partial_3_3_6, slice1window_partial_3_3_7 : natural range 0 to 5112;
-  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6390;
-  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_1_0 : natural range 0 to 6390;
-  signal slice1window_sum_1_1, slice1window_sum_1_2, slice1window_sum_1_3 : natural range 0 to 6390;
-  signal slice1window_sum_1_4, slice1window_sum_1_5, slice1window_sum_1_6 : natural range 0 to 6390;
-  signal slice1window_sum_1_7, slice1window_sum_2_0, slice1window_sum_2_1 : natural range 0 to 6390;
-  signal slice1window_sum_2_2, slice1window_sum_2_3, slice1window_sum_2_4 : natural range 0 to 6390;
-  signal slice1window_sum_2_5, slice1window_sum_2_6, slice1window_sum_2_7 : natural range 0 to 6390;
-  signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 6390;
-  signal slice1window_sum_3_3, slice1window_sum_3_4, slice1window_sum_3_5 : natural range 0 to 6390;
-  signal slice1window_sum_3_6, slice1window_sum_3_7 : natural range 0 to 6390;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7, slice1window_partial_1_0_0 : natural range 0 to 1279;
+  signal slice1window_partial_1_0_1, slice1window_partial_1_0_2, slice1window_partial_1_0_3 : natural range 0 to 1279;
+  signal slice1window_partial_1_0_4, slice1window_partial_1_0_5, slice1window_partial_1_0_6 : natural range 0 to 1279;
+  signal slice1window_partial_1_0_7, slice1window_partial_2_0_0, slice1window_partial_2_0_1 : natural range 0 to 1279;
+  signal slice1window_partial_2_0_2, slice1window_partial_2_0_3, slice1window_partial_2_0_4 : natural range 0 to 1279;
+  signal slice1window_partial_2_0_5, slice1window_partial_2_0_6, slice1window_partial_2_0_7 : natural range 0 to 1279;
+  signal slice1window_partial_3_0_0, slice1window_partial_3_0_1, slice1window_partial_3_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_3_0_3, slice1window_partial_3_0_4, slice1window_partial_3_0_5 : natural range 0 to 1279;
+  signal slice1window_partial_3_0_6, slice1window_partial_3_0_7 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7, slice1window_partial_1_1_0 : natural range 0 to 2558;
+  signal slice1window_partial_1_1_1, slice1window_partial_1_1_2, slice1window_partial_1_1_3 : natural range 0 to 2558;
+  signal slice1window_partial_1_1_4, slice1window_partial_1_1_5, slice1window_partial_1_1_6 : natural range 0 to 2558;
+  signal slice1window_partial_1_1_7, slice1window_partial_2_1_0, slice1window_partial_2_1_1 : natural range 0 to 2558;
+  signal slice1window_partial_2_1_2, slice1window_partial_2_1_3, slice1window_partial_2_1_4 : natural range 0 to 2558;
+  signal slice1window_partial_2_1_5, slice1window_partial_2_1_6, slice1window_partial_2_1_7 : natural range 0 to 2558;
+  signal slice1window_partial_3_1_0, slice1window_partial_3_1_1, slice1window_partial_3_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_3_1_3, slice1window_partial_3_1_4, slice1window_partial_3_1_5 : natural range 0 to 2558;
+  signal slice1window_partial_3_1_6, slice1window_partial_3_1_7 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7, slice1window_partial_1_2_0 : natural range 0 to 3837;
+  signal slice1window_partial_1_2_1, slice1window_partial_1_2_2, slice1window_partial_1_2_3 : natural range 0 to 3837;
+  signal slice1window_partial_1_2_4, slice1window_partial_1_2_5, slice1window_partial_1_2_6 : natural range 0 to 3837;
+  signal slice1window_partial_1_2_7, slice1window_partial_2_2_0, slice1window_partial_2_2_1 : natural range 0 to 3837;
+  signal slice1window_partial_2_2_2, slice1window_partial_2_2_3, slice1window_partial_2_2_4 : natural range 0 to 3837;
+  signal slice1window_partial_2_2_5, slice1window_partial_2_2_6, slice1window_partial_2_2_7 : natural range 0 to 3837;
+  signal slice1window_partial_3_2_0, slice1window_partial_3_2_1, slice1window_partial_3_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_3_2_3, slice1window_partial_3_2_4, slice1window_partial_3_2_5 : natural range 0 to 3837;
+  signal slice1window_partial_3_2_6, slice1window_partial_3_2_7 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7, slice1window_partial_1_3_0 : natural range 0 to 5116;
+  signal slice1window_partial_1_3_1, slice1window_partial_1_3_2, slice1window_partial_1_3_3 : natural range 0 to 5116;
+  signal slice1window_partial_1_3_4, slice1window_partial_1_3_5, slice1window_partial_1_3_6 : natural range 0 to 5116;
+  signal slice1window_partial_1_3_7, slice1window_partial_2_3_0, slice1window_partial_2_3_1 : natural range 0 to 5116;
+  signal slice1window_partial_2_3_2, slice1window_partial_2_3_3, slice1window_partial_2_3_4 : natural range 0 to 5116;
+  signal slice1window_partial_2_3_5, slice1window_partial_2_3_6, slice1window_partial_2_3_7 : natural range 0 to 5116;
+  signal slice1window_partial_3_3_0, slice1window_partial_3_3_1, slice1window_partial_3_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_3_3_3, slice1window_partial_3_3_4, slice1window_partial_3_3_5 : natural range 0 to 5116;
+  signal slice1window_partial_3_3_6, slice1window_partial_3_3_7 : natural range 0 to 5116;
+  signal slice1window_centre_output_column_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6395;
+  signal slice1window_sum_0_6, slice1window_sum_0_7, slice1window_sum_1_0 : natural range 0 to 6395;
+  signal slice1window_sum_1_1, slice1window_sum_1_2, slice1window_sum_1_3 : natural range 0 to 6395;
+  signal slice1window_sum_1_4, slice1window_sum_1_5, slice1window_sum_1_6 : natural range 0 to 6395;
+  signal slice1window_sum_1_7, slice1window_sum_2_0, slice1window_sum_2_1 : natural range 0 to 6395;
+  signal slice1window_sum_2_2, slice1window_sum_2_3, slice1window_sum_2_4 : natural range 0 to 6395;
+  signal slice1window_sum_2_5, slice1window_sum_2_6, slice1window_sum_2_7 : natural range 0 to 6395;
+  signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 6395;
+  signal slice1window_sum_3_3, slice1window_sum_3_4, slice1window_sum_3_5 : natural range 0 to 6395;
+  signal slice1window_sum_3_6, slice1window_sum_3_7 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_1_2, slice1winner1_best_cost_1_3 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_2_2, slice1winner1_best_cost_2_3 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_3_2, slice1winner1_best_cost_3_3 : natural range 0 to 6390;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
-  signal slice1winner1_best_index_3_0 : boolean;
-  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_2_1, slice1winner1_best_index_3_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2, slice1winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_2_2, slice1winner1_best_index_3_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3, slice1winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_2_3, slice1winner1_best_index_3_3 : natural range 0 to 7;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_1_0 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2, slice1winner1_of_pair_1_3 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_1_4, slice1winner1_of_pair_1_5, slice1winner1_of_pair_1_6 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_1_7, slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_2_2, slice1winner1_of_pair_2_3, slice1winner1_of_pair_2_4 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_2_5, slice1winner1_of_pair_2_6, slice1winner1_of_pair_2_7 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_3_3, slice1winner1_of_pair_3_4, slice1winner1_of_pair_3_5 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_3_6, slice1winner1_of_pair_3_7, slice1winner1_of_four_0_0 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_7, slice1winner1_of_four_1_0, slice1winner1_of_four_1_1 : natural range 0 to 6395;
+  signal slice1winner1_of_four_1_2, slice1winner1_of_four_1_3, slice1winner1_of_four_1_4 : natural range 0 to 6395;
+  signal slice1winner1_of_four_1_5, slice1winner1_of_four_1_6, slice1winner1_of_four_1_7 : natural range 0 to 6395;
+  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_2_3, slice1winner1_of_four_2_4, slice1winner1_of_four_2_5 : natural range 0 to 6395;
+  signal slice1winner1_of_four_2_6, slice1winner1_of_four_2_7, slice1winner1_of_four_3_0 : natural range 0 to 6395;
+  signal slice1winner1_of_four_3_1, slice1winner1_of_four_3_2, slice1winner1_of_four_3_3 : natural range 0 to 6395;
+  signal slice1winner1_of_four_3_4, slice1winner1_of_four_3_5, slice1winner1_of_four_3_6 : natural range 0 to 6395;
+  signal slice1winner1_of_four_3_7 : natural range 0 to 6395;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
+  signal slice1winner1_pair_index_3_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice1winner1_pair_index_2_1, slice1winner1_pair_index_3_1 : natural range 0 to 3;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2, slice1winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_2_2, slice1winner1_pair_index_3_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice1winner1_pair_index_2_3, slice1winner1_pair_index_3_3 : natural range 0 to 7;
+  signal slice1winner1_four_index_0_1, slice1winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice1winner1_four_index_2_1, slice1winner1_four_index_3_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1, slice1winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_2_1, slice1winner1_best_index_3_1 : natural range 0 to 7;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 8191;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner2_best_cost_1_0, slice1winner2_best_cost_1_1 : natural range 0 to 6390;
-  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_2_1 : natural range 0 to 6390;
-  signal slice1winner2_best_cost_3_0, slice1winner2_best_cost_3_1 : natural range 0 to 6390;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1, slice1winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_2_1, slice1winner2_best_index_3_1 : natural range 0 to 7;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 6390;
-  signal slice1winner3_best_cost_2_0, slice1winner3_best_cost_3_0 : natural range 0 to 6390;
-  signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_2_0, slice1winner3_best_index_3_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 8191;
+  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_3_0 : natural range 0 to 8191;
+  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 7;
+  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 15;
   signal slice1_best_index_3_0 : natural range 0 to 15;
@@ -543,7 +556,7 @@ begin
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 16);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 16)
+    generic map (depth => 320, width => 16)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_1,
@@ -551,7 +564,7 @@ begin
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -559,7 +572,7 @@ begin
 
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 16);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 16)
+    generic map (depth => 320, width => 16)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_1,
@@ -567,7 +580,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -582,91 +595,76 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_is_equal, delay_row_inside_2_choice : boolean;
-    variable slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less, slice0cost_pair_0_2_is_less : boolean;
-    variable slice0cost_pair_0_3_is_less, slice0cost_pair_0_4_is_less, slice0cost_pair_0_5_is_less : boolean;
-    variable slice0cost_pair_0_6_is_less, slice0cost_pair_0_7_is_less, slice0cost_pair_2_0_is_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_choice, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_0_is_equal, delay_row_inside_2_choice, slice0cost_pair_2_0_is_less : boolean;
     variable slice0cost_pair_2_1_is_less, slice0cost_pair_2_2_is_less, slice0cost_pair_2_3_is_less : boolean;
     variable slice0cost_pair_2_4_is_less, slice0cost_pair_2_5_is_less, slice0cost_pair_2_6_is_less : boolean;
-    variable slice0cost_pair_2_7_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_1_is_less, slice0winner1_best_cost_1_2_is_less : boolean;
-    variable slice0winner1_best_cost_1_3_is_less, slice0winner1_best_cost_2_0_is_less : boolean;
-    variable slice0winner1_best_cost_2_1_is_less, slice0winner1_best_cost_2_2_is_less : boolean;
-    variable slice0winner1_best_cost_2_3_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
-    variable slice0winner1_best_cost_3_1_is_less, slice0winner1_best_cost_3_2_is_less : boolean;
-    variable slice0winner1_best_cost_3_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_1_is_less, slice0winner2_best_cost_2_0_is_less : boolean;
-    variable slice0winner2_best_cost_2_1_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
-    variable slice0winner2_best_cost_3_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_1_0_is_less, slice0winner3_best_cost_2_0_is_less : boolean;
-    variable slice0winner3_best_cost_3_0_is_less, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
-    variable slice1cost_pair_0_2_is_less, slice1cost_pair_0_3_is_less, slice1cost_pair_0_4_is_less : boolean;
-    variable slice1cost_pair_0_5_is_less, slice1cost_pair_0_6_is_less, slice1cost_pair_0_7_is_less : boolean;
+    variable slice0cost_pair_2_7_is_less, slice0cost_negative_0_0_is_less, slice0cost_negative_0_1_is_less : boolean;
+    variable slice0cost_negative_0_2_is_less, slice0cost_negative_0_3_is_less : boolean;
+    variable slice0cost_negative_0_4_is_less, slice0cost_negative_0_5_is_less : boolean;
+    variable slice0cost_negative_0_6_is_less, slice0cost_negative_0_7_is_less : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_1_2_is_less : boolean;
+    variable slice0winner1_of_pair_1_4_is_less, slice0winner1_of_pair_1_6_is_less : boolean;
+    variable slice0winner1_of_pair_2_0_is_less, slice0winner1_of_pair_2_2_is_less : boolean;
+    variable slice0winner1_of_pair_2_4_is_less, slice0winner1_of_pair_2_6_is_less : boolean;
+    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_pair_3_2_is_less : boolean;
+    variable slice0winner1_of_pair_3_4_is_less, slice0winner1_of_pair_3_6_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_1_4_is_less : boolean;
+    variable slice0winner1_of_four_2_0_is_less, slice0winner1_of_four_2_4_is_less : boolean;
+    variable slice0winner1_of_four_3_0_is_less, slice0winner1_of_four_3_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
+    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
     variable slice1cost_pair_2_0_is_less, slice1cost_pair_2_1_is_less, slice1cost_pair_2_2_is_less : boolean;
     variable slice1cost_pair_2_3_is_less, slice1cost_pair_2_4_is_less, slice1cost_pair_2_5_is_less : boolean;
-    variable slice1cost_pair_2_6_is_less, slice1cost_pair_2_7_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_1_is_less, slice1winner1_best_cost_1_2_is_less : boolean;
-    variable slice1winner1_best_cost_1_3_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
-    variable slice1winner1_best_cost_2_1_is_less, slice1winner1_best_cost_2_2_is_less : boolean;
-    variable slice1winner1_best_cost_2_3_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
-    variable slice1winner1_best_cost_3_1_is_less, slice1winner1_best_cost_3_2_is_less : boolean;
-    variable slice1winner1_best_cost_3_3_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_1_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
-    variable slice1winner2_best_cost_2_1_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
-    variable slice1winner2_best_cost_3_1_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_1_0_is_less, slice1winner3_best_cost_2_0_is_less : boolean;
-    variable slice1winner3_best_cost_3_0_is_less : boolean;
+    variable slice1cost_pair_2_6_is_less, slice1cost_pair_2_7_is_less, slice1cost_negative_0_0_is_less : boolean;
+    variable slice1cost_negative_0_1_is_less, slice1cost_negative_0_2_is_less : boolean;
+    variable slice1cost_negative_0_3_is_less, slice1cost_negative_0_4_is_less : boolean;
+    variable slice1cost_negative_0_5_is_less, slice1cost_negative_0_6_is_less : boolean;
+    variable slice1cost_negative_0_7_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_2_is_less, slice1winner1_of_pair_1_4_is_less : boolean;
+    variable slice1winner1_of_pair_1_6_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
+    variable slice1winner1_of_pair_2_2_is_less, slice1winner1_of_pair_2_4_is_less : boolean;
+    variable slice1winner1_of_pair_2_6_is_less, slice1winner1_of_pair_3_0_is_less : boolean;
+    variable slice1winner1_of_pair_3_2_is_less, slice1winner1_of_pair_3_4_is_less : boolean;
+    variable slice1winner1_of_pair_3_6_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_1_0_is_less : boolean;
+    variable slice1winner1_of_four_1_4_is_less, slice1winner1_of_four_2_0_is_less : boolean;
+    variable slice1winner1_of_four_2_4_is_less, slice1winner1_of_four_3_0_is_less : boolean;
+    variable slice1winner1_of_four_3_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_0_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
+    variable slice1winner2_best_cost_3_0_is_less : boolean;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 31;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_4_choice, slice0cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_6_choice, slice0cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_0_choice, slice0cost_pair_2_0_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_1_choice, slice0cost_pair_2_1_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_2_choice, slice0cost_pair_2_2_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_3_choice, slice0cost_pair_2_3_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_4_choice, slice0cost_pair_2_4_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_5_choice, slice0cost_pair_2_5_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_6_choice, slice0cost_pair_2_6_folded_value : natural range 0 to 255;
-    variable slice0cost_pair_2_7_choice, slice0cost_pair_2_7_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_2_choice, slice1cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_4_choice, slice1cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_6_choice, slice1cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_4_choice, slice1cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_6_choice, slice1cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_0_choice, slice1cost_pair_2_0_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_1_choice, slice1cost_pair_2_1_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_2_choice, slice1cost_pair_2_2_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_3_choice, slice1cost_pair_2_3_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_4_choice, slice1cost_pair_2_4_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_5_choice, slice1cost_pair_2_5_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_6_choice, slice1cost_pair_2_6_folded_value : natural range 0 to 255;
-    variable slice1cost_pair_2_7_choice, slice1cost_pair_2_7_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_0_0_folded_value, slice0cost_pair_0_1_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_0_2_folded_value, slice0cost_pair_0_3_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_0_4_folded_value, slice0cost_pair_0_5_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_0_6_folded_value, slice0cost_pair_0_7_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_2_0_folded_value, slice0cost_pair_2_1_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_2_2_folded_value, slice0cost_pair_2_3_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_2_4_folded_value, slice0cost_pair_2_5_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_2_6_folded_value, slice0cost_pair_2_7_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_0_0_folded_value, slice1cost_pair_0_1_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_0_2_folded_value, slice1cost_pair_0_3_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_0_4_folded_value, slice1cost_pair_0_5_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_0_6_folded_value, slice1cost_pair_0_7_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_2_0_folded_value, slice1cost_pair_2_1_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_2_2_folded_value, slice1cost_pair_2_3_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_2_4_folded_value, slice1cost_pair_2_5_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_2_6_folded_value, slice1cost_pair_2_7_folded_value : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 15;
-      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_is_equal_3 := (raster_place_group / 2) = 8;
+      raster_place_group_is_equal := raster_place_column = 319;
+      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 15);
+      raster_place_group_is_equal_2 := (raster_place_group / 2) = 8;
       raster_place_group_choice := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) = 1))
-        when raster_place_group_is_equal_3 else raster_place_group_is_equal and in_valid;
-      raster_place_group_choice_2 := 1 when raster_features_start_of_frame and (raster_place_group = 16) else
+        when raster_place_group_is_equal_2 else raster_place_group_is_equal and in_valid;
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 16) else
         (raster_place_group + 1) mod 32;
       raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_choice else raster_place_group;
       raster_features_search_0 <= to_integer(in_left_pixel(7 downto 0));
@@ -677,16 +675,14 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= as_number(raster_place_group_all) * 16 when in_start_of_frame and in_valid else
         raster_place_group_choice_3;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        raster_place_group_is_equal_3 else raster_features_start_of_frame;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_2 else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
       end if;
       -- delay
       if raster_features_valid then
@@ -707,11 +703,11 @@ begin
         (raster_place_group / 2) = 0 else delay_row_inside_2_choice;
       delay_row_inside_6 <= not ((raster_place_group / 16) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 16) and (((raster_place_column + 65521)
-        mod 65536) < 80);
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 17) and (raster_place_column >=
+        15) and (raster_place_column < 319);
       delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 1);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -866,78 +862,38 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_is_less := slice0cost_difference_2_0 < 0;
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_pair_0_0_is_less else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_is_less := slice0cost_difference_2_1 < 0;
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_pair_0_1_is_less else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_is_less := slice0cost_difference_2_2 < 0;
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_pair_0_2_is_less else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_is_less := slice0cost_difference_2_3 < 0;
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_pair_0_3_is_less else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_is_less := slice0cost_difference_2_4 < 0;
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_pair_0_4_is_less else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_is_less := slice0cost_difference_2_5 < 0;
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_pair_0_5_is_less else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_is_less := slice0cost_difference_2_6 < 0;
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_pair_0_6_is_less else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_is_less := slice0cost_difference_2_7 < 0;
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_pair_0_7_is_less else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
-      slice0cost_pair_2_0_choice := slice0cost_reverse_2_0 when slice0cost_difference_6_0 < 0 else
-        positive_part(slice0cost_difference_6_0);
+      slice0cost_pair_0_0_folded_value := folded(slice0cost_difference_2_0);
+      slice0cost_pair_0_1_folded_value := folded(slice0cost_difference_2_1);
+      slice0cost_pair_0_2_folded_value := folded(slice0cost_difference_2_2);
+      slice0cost_pair_0_3_folded_value := folded(slice0cost_difference_2_3);
+      slice0cost_pair_0_4_folded_value := folded(slice0cost_difference_2_4);
+      slice0cost_pair_0_5_folded_value := folded(slice0cost_difference_2_5);
+      slice0cost_pair_0_6_folded_value := folded(slice0cost_difference_2_6);
+      slice0cost_pair_0_7_folded_value := folded(slice0cost_difference_2_7);
       slice0cost_pair_2_0_folded_value := folded(slice0cost_difference_5_0);
       slice0cost_pair_2_0_is_less := slice0cost_difference_5_0 < 0;
-      slice0cost_pair_2_1_choice := slice0cost_reverse_2_1 when slice0cost_difference_6_1 < 0 else
-        positive_part(slice0cost_difference_6_1);
       slice0cost_pair_2_1_folded_value := folded(slice0cost_difference_5_1);
       slice0cost_pair_2_1_is_less := slice0cost_difference_5_1 < 0;
-      slice0cost_pair_2_2_choice := slice0cost_reverse_2_2 when slice0cost_difference_6_2 < 0 else
-        positive_part(slice0cost_difference_6_2);
       slice0cost_pair_2_2_folded_value := folded(slice0cost_difference_5_2);
       slice0cost_pair_2_2_is_less := slice0cost_difference_5_2 < 0;
-      slice0cost_pair_2_3_choice := slice0cost_reverse_2_3 when slice0cost_difference_6_3 < 0 else
-        positive_part(slice0cost_difference_6_3);
       slice0cost_pair_2_3_folded_value := folded(slice0cost_difference_5_3);
       slice0cost_pair_2_3_is_less := slice0cost_difference_5_3 < 0;
-      slice0cost_pair_2_4_choice := slice0cost_reverse_2_4 when slice0cost_difference_6_4 < 0 else
-        positive_part(slice0cost_difference_6_4);
       slice0cost_pair_2_4_folded_value := folded(slice0cost_difference_5_4);
       slice0cost_pair_2_4_is_less := slice0cost_difference_5_4 < 0;
-      slice0cost_pair_2_5_choice := slice0cost_reverse_2_5 when slice0cost_difference_6_5 < 0 else
-        positive_part(slice0cost_difference_6_5);
       slice0cost_pair_2_5_folded_value := folded(slice0cost_difference_5_5);
       slice0cost_pair_2_5_is_less := slice0cost_difference_5_5 < 0;
-      slice0cost_pair_2_6_choice := slice0cost_reverse_2_6 when slice0cost_difference_6_6 < 0 else
-        positive_part(slice0cost_difference_6_6);
       slice0cost_pair_2_6_folded_value := folded(slice0cost_difference_5_6);
       slice0cost_pair_2_6_is_less := slice0cost_difference_5_6 < 0;
-      slice0cost_pair_2_7_choice := slice0cost_reverse_2_7 when slice0cost_difference_6_7 < 0 else
-        positive_part(slice0cost_difference_6_7);
       slice0cost_pair_2_7_folded_value := folded(slice0cost_difference_5_7);
       slice0cost_pair_2_7_is_less := slice0cost_difference_5_7 < 0;
+      slice0cost_negative_0_0_is_less := slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1_is_less := slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2_is_less := slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3_is_less := slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4_is_less := slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5_is_less := slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6_is_less := slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7_is_less := slice0cost_difference_2_7 < 0;
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1002,216 +958,216 @@ begin
       slice0cost_difference_7_5 <= slice0shift_search_7_5 - slice0shift_reference_7;
       slice0cost_difference_7_6 <= slice0shift_search_7_6 - slice0shift_reference_7;
       slice0cost_difference_7_7 <= slice0shift_search_7_7 - slice0shift_reference_7;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
-      slice0cost_reverse_2_0 <= (slice0shift_reference_6 - slice0shift_search_6_0) mod 256;
-      slice0cost_reverse_2_1 <= (slice0shift_reference_6 - slice0shift_search_6_1) mod 256;
-      slice0cost_reverse_2_2 <= (slice0shift_reference_6 - slice0shift_search_6_2) mod 256;
-      slice0cost_reverse_2_3 <= (slice0shift_reference_6 - slice0shift_search_6_3) mod 256;
-      slice0cost_reverse_2_4 <= (slice0shift_reference_6 - slice0shift_search_6_4) mod 256;
-      slice0cost_reverse_2_5 <= (slice0shift_reference_6 - slice0shift_search_6_5) mod 256;
-      slice0cost_reverse_2_6 <= (slice0shift_reference_6 - slice0shift_search_6_6) mod 256;
-      slice0cost_reverse_2_7 <= (slice0shift_reference_6 - slice0shift_search_6_7) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= slice0cost_pair_0_0_folded_value + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= slice0cost_pair_0_1_folded_value + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= slice0cost_pair_0_2_folded_value + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= slice0cost_pair_0_3_folded_value + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= slice0cost_pair_0_4_folded_value + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= slice0cost_pair_0_5_folded_value + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= slice0cost_pair_0_6_folded_value + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= slice0cost_pair_0_7_folded_value + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_pair_2_0 <= slice0cost_pair_2_0_choice + slice0cost_pair_2_0_folded_value +
+      slice0cost_pair_2_0 <= folded(slice0cost_difference_6_0) + slice0cost_pair_2_0_folded_value +
         as_number(slice0cost_pair_2_0_is_less);
-      slice0cost_pair_2_1 <= slice0cost_pair_2_1_choice + slice0cost_pair_2_1_folded_value +
+      slice0cost_pair_2_1 <= folded(slice0cost_difference_6_1) + slice0cost_pair_2_1_folded_value +
         as_number(slice0cost_pair_2_1_is_less);
-      slice0cost_pair_2_2 <= slice0cost_pair_2_2_choice + slice0cost_pair_2_2_folded_value +
+      slice0cost_pair_2_2 <= folded(slice0cost_difference_6_2) + slice0cost_pair_2_2_folded_value +
         as_number(slice0cost_pair_2_2_is_less);
-      slice0cost_pair_2_3 <= slice0cost_pair_2_3_choice + slice0cost_pair_2_3_folded_value +
+      slice0cost_pair_2_3 <= folded(slice0cost_difference_6_3) + slice0cost_pair_2_3_folded_value +
         as_number(slice0cost_pair_2_3_is_less);
-      slice0cost_pair_2_4 <= slice0cost_pair_2_4_choice + slice0cost_pair_2_4_folded_value +
+      slice0cost_pair_2_4 <= folded(slice0cost_difference_6_4) + slice0cost_pair_2_4_folded_value +
         as_number(slice0cost_pair_2_4_is_less);
-      slice0cost_pair_2_5 <= slice0cost_pair_2_5_choice + slice0cost_pair_2_5_folded_value +
+      slice0cost_pair_2_5 <= folded(slice0cost_difference_6_5) + slice0cost_pair_2_5_folded_value +
         as_number(slice0cost_pair_2_5_is_less);
-      slice0cost_pair_2_6 <= slice0cost_pair_2_6_choice + slice0cost_pair_2_6_folded_value +
+      slice0cost_pair_2_6 <= folded(slice0cost_difference_6_6) + slice0cost_pair_2_6_folded_value +
         as_number(slice0cost_pair_2_6_is_less);
-      slice0cost_pair_2_7 <= slice0cost_pair_2_7_choice + slice0cost_pair_2_7_folded_value +
+      slice0cost_pair_2_7 <= folded(slice0cost_difference_6_7) + slice0cost_pair_2_7_folded_value +
         as_number(slice0cost_pair_2_7_is_less);
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_single_2_0 <= folded(slice0cost_difference_2_0);
-      slice0cost_single_2_1 <= folded(slice0cost_difference_2_1);
-      slice0cost_single_2_2 <= folded(slice0cost_difference_2_2);
-      slice0cost_single_2_3 <= folded(slice0cost_difference_2_3);
-      slice0cost_single_2_4 <= folded(slice0cost_difference_2_4);
-      slice0cost_single_2_5 <= folded(slice0cost_difference_2_5);
-      slice0cost_single_2_6 <= folded(slice0cost_difference_2_6);
-      slice0cost_single_2_7 <= folded(slice0cost_difference_2_7);
-      slice0cost_single_5_0 <= slice0cost_pair_2_0_folded_value;
-      slice0cost_single_5_1 <= slice0cost_pair_2_1_folded_value;
-      slice0cost_single_5_2 <= slice0cost_pair_2_2_folded_value;
-      slice0cost_single_5_3 <= slice0cost_pair_2_3_folded_value;
-      slice0cost_single_5_4 <= slice0cost_pair_2_4_folded_value;
-      slice0cost_single_5_5 <= slice0cost_pair_2_5_folded_value;
-      slice0cost_single_5_6 <= slice0cost_pair_2_6_folded_value;
-      slice0cost_single_5_7 <= slice0cost_pair_2_7_folded_value;
-      slice0cost_single_7_0 <= folded(slice0cost_difference_7_0);
-      slice0cost_single_7_1 <= folded(slice0cost_difference_7_1);
-      slice0cost_single_7_2 <= folded(slice0cost_difference_7_2);
-      slice0cost_single_7_3 <= folded(slice0cost_difference_7_3);
-      slice0cost_single_7_4 <= folded(slice0cost_difference_7_4);
-      slice0cost_single_7_5 <= folded(slice0cost_difference_7_5);
-      slice0cost_single_7_6 <= folded(slice0cost_difference_7_6);
-      slice0cost_single_7_7 <= folded(slice0cost_difference_7_7);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
-      slice0cost_negative_2_0 <= slice0cost_pair_0_0_is_less;
-      slice0cost_negative_2_1 <= slice0cost_pair_0_1_is_less;
-      slice0cost_negative_2_2 <= slice0cost_pair_0_2_is_less;
-      slice0cost_negative_2_3 <= slice0cost_pair_0_3_is_less;
-      slice0cost_negative_2_4 <= slice0cost_pair_0_4_is_less;
-      slice0cost_negative_2_5 <= slice0cost_pair_0_5_is_less;
-      slice0cost_negative_2_6 <= slice0cost_pair_0_6_is_less;
-      slice0cost_negative_2_7 <= slice0cost_pair_0_7_is_less;
-      slice0cost_negative_5_0 <= slice0cost_pair_2_0_is_less;
-      slice0cost_negative_5_1 <= slice0cost_pair_2_1_is_less;
-      slice0cost_negative_5_2 <= slice0cost_pair_2_2_is_less;
-      slice0cost_negative_5_3 <= slice0cost_pair_2_3_is_less;
-      slice0cost_negative_5_4 <= slice0cost_pair_2_4_is_less;
-      slice0cost_negative_5_5 <= slice0cost_pair_2_5_is_less;
-      slice0cost_negative_5_6 <= slice0cost_pair_2_6_is_less;
-      slice0cost_negative_5_7 <= slice0cost_pair_2_7_is_less;
-      slice0cost_negative_7_0 <= slice0cost_difference_7_0 < 0;
-      slice0cost_negative_7_1 <= slice0cost_difference_7_1 < 0;
-      slice0cost_negative_7_2 <= slice0cost_difference_7_2 < 0;
-      slice0cost_negative_7_3 <= slice0cost_difference_7_3 < 0;
-      slice0cost_negative_7_4 <= slice0cost_difference_7_4 < 0;
-      slice0cost_negative_7_5 <= slice0cost_difference_7_5 < 0;
-      slice0cost_negative_7_6 <= slice0cost_difference_7_6 < 0;
-      slice0cost_negative_7_7 <= slice0cost_difference_7_7 < 0;
+      slice0cost_negative_0_0 <= slice0cost_negative_0_0_is_less;
+      slice0cost_negative_0_1 <= slice0cost_negative_0_1_is_less;
+      slice0cost_negative_0_2 <= slice0cost_negative_0_2_is_less;
+      slice0cost_negative_0_3 <= slice0cost_negative_0_3_is_less;
+      slice0cost_negative_0_4 <= slice0cost_negative_0_4_is_less;
+      slice0cost_negative_0_5 <= slice0cost_negative_0_5_is_less;
+      slice0cost_negative_0_6 <= slice0cost_negative_0_6_is_less;
+      slice0cost_negative_0_7 <= slice0cost_negative_0_7_is_less;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_negative_2_0 <= slice0cost_difference_6_0 < 0;
+      slice0cost_negative_2_1 <= slice0cost_difference_6_1 < 0;
+      slice0cost_negative_2_2 <= slice0cost_difference_6_2 < 0;
+      slice0cost_negative_2_3 <= slice0cost_difference_6_3 < 0;
+      slice0cost_negative_2_4 <= slice0cost_difference_6_4 < 0;
+      slice0cost_negative_2_5 <= slice0cost_difference_6_5 < 0;
+      slice0cost_negative_2_6 <= slice0cost_difference_6_6 < 0;
+      slice0cost_negative_2_7 <= slice0cost_difference_6_7 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
+      slice0cost_single_2_0 <= (slice0cost_pair_0_0_folded_value + as_number(slice0cost_negative_0_0_is_less)) mod 256;
+      slice0cost_single_2_1 <= (slice0cost_pair_0_1_folded_value + as_number(slice0cost_negative_0_1_is_less)) mod 256;
+      slice0cost_single_2_2 <= (slice0cost_pair_0_2_folded_value + as_number(slice0cost_negative_0_2_is_less)) mod 256;
+      slice0cost_single_2_3 <= (slice0cost_pair_0_3_folded_value + as_number(slice0cost_negative_0_3_is_less)) mod 256;
+      slice0cost_single_2_4 <= (slice0cost_pair_0_4_folded_value + as_number(slice0cost_negative_0_4_is_less)) mod 256;
+      slice0cost_single_2_5 <= (slice0cost_pair_0_5_folded_value + as_number(slice0cost_negative_0_5_is_less)) mod 256;
+      slice0cost_single_2_6 <= (slice0cost_pair_0_6_folded_value + as_number(slice0cost_negative_0_6_is_less)) mod 256;
+      slice0cost_single_2_7 <= (slice0cost_pair_0_7_folded_value + as_number(slice0cost_negative_0_7_is_less)) mod 256;
+      slice0cost_single_5_0 <= (slice0cost_pair_2_0_folded_value + as_number(slice0cost_pair_2_0_is_less)) mod 256;
+      slice0cost_single_5_1 <= (slice0cost_pair_2_1_folded_value + as_number(slice0cost_pair_2_1_is_less)) mod 256;
+      slice0cost_single_5_2 <= (slice0cost_pair_2_2_folded_value + as_number(slice0cost_pair_2_2_is_less)) mod 256;
+      slice0cost_single_5_3 <= (slice0cost_pair_2_3_folded_value + as_number(slice0cost_pair_2_3_is_less)) mod 256;
+      slice0cost_single_5_4 <= (slice0cost_pair_2_4_folded_value + as_number(slice0cost_pair_2_4_is_less)) mod 256;
+      slice0cost_single_5_5 <= (slice0cost_pair_2_5_folded_value + as_number(slice0cost_pair_2_5_is_less)) mod 256;
+      slice0cost_single_5_6 <= (slice0cost_pair_2_6_folded_value + as_number(slice0cost_pair_2_6_is_less)) mod 256;
+      slice0cost_single_5_7 <= (slice0cost_pair_2_7_folded_value + as_number(slice0cost_pair_2_7_is_less)) mod 256;
+      slice0cost_single_7_0 <= (folded(slice0cost_difference_7_0) + as_number((slice0cost_difference_7_0 < 0))) mod 256;
+      slice0cost_single_7_1 <= (folded(slice0cost_difference_7_1) + as_number((slice0cost_difference_7_1 < 0))) mod 256;
+      slice0cost_single_7_2 <= (folded(slice0cost_difference_7_2) + as_number((slice0cost_difference_7_2 < 0))) mod 256;
+      slice0cost_single_7_3 <= (folded(slice0cost_difference_7_3) + as_number((slice0cost_difference_7_3 < 0))) mod 256;
+      slice0cost_single_7_4 <= (folded(slice0cost_difference_7_4) + as_number((slice0cost_difference_7_4 < 0))) mod 256;
+      slice0cost_single_7_5 <= (folded(slice0cost_difference_7_5) + as_number((slice0cost_difference_7_5 < 0))) mod 256;
+      slice0cost_single_7_6 <= (folded(slice0cost_difference_7_6) + as_number((slice0cost_difference_7_6 < 0))) mod 256;
+      slice0cost_single_7_7 <= (folded(slice0cost_difference_7_7) + as_number((slice0cost_difference_7_7 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 + slice0cost_pair_1_0
-        + slice0cost_single_0_0 + as_number(slice0cost_negative_0_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 + slice0cost_pair_1_1
-        + slice0cost_single_0_1 + as_number(slice0cost_negative_0_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 + slice0cost_pair_1_2
-        + slice0cost_single_0_2 + as_number(slice0cost_negative_0_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 + slice0cost_pair_1_3
-        + slice0cost_single_0_3 + as_number(slice0cost_negative_0_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 + slice0cost_pair_1_4
-        + slice0cost_single_0_4 + as_number(slice0cost_negative_0_4);
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 + slice0cost_pair_1_5
-        + slice0cost_single_0_5 + as_number(slice0cost_negative_0_5);
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 + slice0cost_pair_1_6
-        + slice0cost_single_0_6 + as_number(slice0cost_negative_0_6);
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 + slice0cost_pair_1_7
-        + slice0cost_single_0_7 + as_number(slice0cost_negative_0_7);
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_0) +
-        slice0cost_pair_0_0 + slice0cost_pair_1_0 + slice0cost_single_5_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_1) +
-        slice0cost_pair_0_1 + slice0cost_pair_1_1 + slice0cost_single_5_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_2) +
-        slice0cost_pair_0_2 + slice0cost_pair_1_2 + slice0cost_single_5_2;
-      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_3) +
-        slice0cost_pair_0_3 + slice0cost_pair_1_3 + slice0cost_single_5_3;
-      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_4) +
-        slice0cost_pair_0_4 + slice0cost_pair_1_4 + slice0cost_single_5_4;
-      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_5) +
-        slice0cost_pair_0_5 + slice0cost_pair_1_5 + slice0cost_single_5_5;
-      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_6) +
-        slice0cost_pair_0_6 + slice0cost_pair_1_6 + slice0cost_single_5_6;
-      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_5_7) +
-        slice0cost_pair_0_7 + slice0cost_pair_1_7 + slice0cost_single_5_7;
-      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 + slice0cost_pair_2_0
-        + slice0cost_single_2_0 + as_number(slice0cost_negative_2_0);
-      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 + slice0cost_pair_2_1
-        + slice0cost_single_2_1 + as_number(slice0cost_negative_2_1);
-      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 + slice0cost_pair_2_2
-        + slice0cost_single_2_2 + as_number(slice0cost_negative_2_2);
-      slice0cost_column_2_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_3 + slice0cost_pair_2_3
-        + slice0cost_single_2_3 + as_number(slice0cost_negative_2_3);
-      slice0cost_column_2_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_4 + slice0cost_pair_2_4
-        + slice0cost_single_2_4 + as_number(slice0cost_negative_2_4);
-      slice0cost_column_2_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_5 + slice0cost_pair_2_5
-        + slice0cost_single_2_5 + as_number(slice0cost_negative_2_5);
-      slice0cost_column_2_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_6 + slice0cost_pair_2_6
-        + slice0cost_single_2_6 + as_number(slice0cost_negative_2_6);
-      slice0cost_column_2_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_7 + slice0cost_pair_2_7
-        + slice0cost_single_2_7 + as_number(slice0cost_negative_2_7);
-      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 + slice0cost_pair_2_0
-        + slice0cost_single_7_0 + as_number(slice0cost_negative_7_0);
-      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 + slice0cost_pair_2_1
-        + slice0cost_single_7_1 + as_number(slice0cost_negative_7_1);
-      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 + slice0cost_pair_2_2
-        + slice0cost_single_7_2 + as_number(slice0cost_negative_7_2);
-      slice0cost_column_3_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_3 + slice0cost_pair_2_3
-        + slice0cost_single_7_3 + as_number(slice0cost_negative_7_3);
-      slice0cost_column_3_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_4 + slice0cost_pair_2_4
-        + slice0cost_single_7_4 + as_number(slice0cost_negative_7_4);
-      slice0cost_column_3_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_5 + slice0cost_pair_2_5
-        + slice0cost_single_7_5 + as_number(slice0cost_negative_7_5);
-      slice0cost_column_3_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_6 + slice0cost_pair_2_6
-        + slice0cost_single_7_6 + as_number(slice0cost_negative_7_6);
-      slice0cost_column_3_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_7 + slice0cost_pair_2_7
-        + slice0cost_single_7_7 + as_number(slice0cost_negative_7_7);
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 +
+        as_number(slice0cost_negative_1_0) + as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 +
+        as_number(slice0cost_negative_1_1) + as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 +
+        as_number(slice0cost_negative_1_2) + as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_3 +
+        as_number(slice0cost_negative_1_3) + as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_4 +
+        as_number(slice0cost_negative_1_4) + as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_5 +
+        as_number(slice0cost_negative_1_5) + as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 +
+        slice0cost_single_0_5;
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_6 +
+        as_number(slice0cost_negative_1_6) + as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 +
+        slice0cost_single_0_6;
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_7 +
+        as_number(slice0cost_negative_1_7) + as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 +
+        slice0cost_single_0_7;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 +
+        as_number(slice0cost_negative_1_0) + as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 +
+        slice0cost_single_5_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 +
+        as_number(slice0cost_negative_1_1) + as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 +
+        slice0cost_single_5_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 +
+        as_number(slice0cost_negative_1_2) + as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 +
+        slice0cost_single_5_2;
+      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_3 +
+        as_number(slice0cost_negative_1_3) + as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 +
+        slice0cost_single_5_3;
+      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_4 +
+        as_number(slice0cost_negative_1_4) + as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 +
+        slice0cost_single_5_4;
+      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_5 +
+        as_number(slice0cost_negative_1_5) + as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 +
+        slice0cost_single_5_5;
+      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_6 +
+        as_number(slice0cost_negative_1_6) + as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 +
+        slice0cost_single_5_6;
+      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_7 +
+        as_number(slice0cost_negative_1_7) + as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 +
+        slice0cost_single_5_7;
+      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_0 +
+        as_number(slice0cost_negative_2_0) + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) +
+        slice0cost_single_2_0;
+      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_1 +
+        as_number(slice0cost_negative_2_1) + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) +
+        slice0cost_single_2_1;
+      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_2 +
+        as_number(slice0cost_negative_2_2) + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) +
+        slice0cost_single_2_2;
+      slice0cost_column_2_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_3 +
+        as_number(slice0cost_negative_2_3) + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3) +
+        slice0cost_single_2_3;
+      slice0cost_column_2_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_4 +
+        as_number(slice0cost_negative_2_4) + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4) +
+        slice0cost_single_2_4;
+      slice0cost_column_2_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_5 +
+        as_number(slice0cost_negative_2_5) + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5) +
+        slice0cost_single_2_5;
+      slice0cost_column_2_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_6 +
+        as_number(slice0cost_negative_2_6) + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6) +
+        slice0cost_single_2_6;
+      slice0cost_column_2_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_7 +
+        as_number(slice0cost_negative_2_7) + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7) +
+        slice0cost_single_2_7;
+      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_0 +
+        as_number(slice0cost_negative_2_0) + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) +
+        slice0cost_single_7_0;
+      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_1 +
+        as_number(slice0cost_negative_2_1) + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) +
+        slice0cost_single_7_1;
+      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_2 +
+        as_number(slice0cost_negative_2_2) + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) +
+        slice0cost_single_7_2;
+      slice0cost_column_3_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_3 +
+        as_number(slice0cost_negative_2_3) + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3) +
+        slice0cost_single_7_3;
+      slice0cost_column_3_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_4 +
+        as_number(slice0cost_negative_2_4) + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4) +
+        slice0cost_single_7_4;
+      slice0cost_column_3_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_5 +
+        as_number(slice0cost_negative_2_5) + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5) +
+        slice0cost_single_7_5;
+      slice0cost_column_3_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_6 +
+        as_number(slice0cost_negative_2_6) + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6) +
+        slice0cost_single_7_6;
+      slice0cost_column_3_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_7 +
+        as_number(slice0cost_negative_2_7) + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7) +
+        slice0cost_single_7_7;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -1385,162 +1341,231 @@ begin
       slice0window_sum_3_7 <= slice0cost_column_3_7 + slice0window_partial_3_3_7;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+        slice0window_centre_end_of_line_1 <= slice0window_centre_end_of_line_0;
         slice0window_tag_output_column <= slice1window_centre_output_column_0;
-        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
-        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_end_of_line <= slice0window_centre_end_of_line_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1_is_less := slice0window_sum_1_3 < slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2_is_less := slice0window_sum_1_5 < slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3_is_less := slice0window_sum_1_7 < slice0window_sum_1_6;
-      slice0winner1_best_cost_2_0_is_less := slice0window_sum_2_1 < slice0window_sum_2_0;
-      slice0winner1_best_cost_2_1_is_less := slice0window_sum_2_3 < slice0window_sum_2_2;
-      slice0winner1_best_cost_2_2_is_less := slice0window_sum_2_5 < slice0window_sum_2_4;
-      slice0winner1_best_cost_2_3_is_less := slice0window_sum_2_7 < slice0window_sum_2_6;
-      slice0winner1_best_cost_3_0_is_less := slice0window_sum_3_1 < slice0window_sum_3_0;
-      slice0winner1_best_cost_3_1_is_less := slice0window_sum_3_3 < slice0window_sum_3_2;
-      slice0winner1_best_cost_3_2_is_less := slice0window_sum_3_5 < slice0window_sum_3_4;
-      slice0winner1_best_cost_3_3_is_less := slice0window_sum_3_7 < slice0window_sum_3_6;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
-        slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
-        slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
-        slice0window_sum_1_6;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
-      slice0winner1_best_cost_2_1 <= slice0window_sum_2_3 when slice0winner1_best_cost_2_1_is_less else
-        slice0window_sum_2_2;
-      slice0winner1_best_cost_2_2 <= slice0window_sum_2_5 when slice0winner1_best_cost_2_2_is_less else
-        slice0window_sum_2_4;
-      slice0winner1_best_cost_2_3 <= slice0window_sum_2_7 when slice0winner1_best_cost_2_3_is_less else
-        slice0window_sum_2_6;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
-      slice0winner1_best_cost_3_1 <= slice0window_sum_3_3 when slice0winner1_best_cost_3_1_is_less else
-        slice0window_sum_3_2;
-      slice0winner1_best_cost_3_2 <= slice0window_sum_3_5 when slice0winner1_best_cost_3_2_is_less else
-        slice0window_sum_3_4;
-      slice0winner1_best_cost_3_3 <= slice0window_sum_3_7 when slice0winner1_best_cost_3_3_is_less else
-        slice0window_sum_3_6;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
-      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
-      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
-      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
-      slice0winner1_best_index_2_1 <= 3 when slice0winner1_best_cost_2_1_is_less else 2;
-      slice0winner1_best_index_2_2 <= 5 when slice0winner1_best_cost_2_2_is_less else 4;
-      slice0winner1_best_index_2_3 <= 7 when slice0winner1_best_cost_2_3_is_less else 6;
-      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
-      slice0winner1_best_index_3_1 <= 3 when slice0winner1_best_cost_3_1_is_less else 2;
-      slice0winner1_best_index_3_2 <= 5 when slice0winner1_best_cost_3_2_is_less else 4;
-      slice0winner1_best_index_3_3 <= 7 when slice0winner1_best_cost_3_3_is_less else 6;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_of_pair_2_2_is_less := (slice0window_sum_2_3 - slice0window_sum_2_2) < 0;
+      slice0winner1_of_pair_2_4_is_less := (slice0window_sum_2_5 - slice0window_sum_2_4) < 0;
+      slice0winner1_of_pair_2_6_is_less := (slice0window_sum_2_7 - slice0window_sum_2_6) < 0;
+      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_of_pair_3_2_is_less := (slice0window_sum_3_3 - slice0window_sum_3_2) < 0;
+      slice0winner1_of_pair_3_4_is_less := (slice0window_sum_3_5 - slice0window_sum_3_4) < 0;
+      slice0winner1_of_pair_3_6_is_less := (slice0window_sum_3_7 - slice0window_sum_3_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_1_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_1_1, 13))))) < 0;
+      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_1_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_1_5, 13))))) < 0;
+      slice0winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_2_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_2_1, 13))))) < 0;
+      slice0winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_2_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_2_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_2_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_2_5, 13))))) < 0;
+      slice0winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_3_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_3_1, 13))))) < 0;
+      slice0winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_3_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_3_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_3_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_3_5, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
+      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
+      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
+      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
+      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
+      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
+      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
+      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
+      slice0winner1_of_pair_2_2 <= 0 when slice0winner1_of_pair_2_2_is_less else slice0window_sum_2_2;
+      slice0winner1_of_pair_2_3 <= slice0window_sum_2_3 when slice0winner1_of_pair_2_2_is_less else 0;
+      slice0winner1_of_pair_2_4 <= 0 when slice0winner1_of_pair_2_4_is_less else slice0window_sum_2_4;
+      slice0winner1_of_pair_2_5 <= slice0window_sum_2_5 when slice0winner1_of_pair_2_4_is_less else 0;
+      slice0winner1_of_pair_2_6 <= 0 when slice0winner1_of_pair_2_6_is_less else slice0window_sum_2_6;
+      slice0winner1_of_pair_2_7 <= slice0window_sum_2_7 when slice0winner1_of_pair_2_6_is_less else 0;
+      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
+      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
+      slice0winner1_of_pair_3_2 <= 0 when slice0winner1_of_pair_3_2_is_less else slice0window_sum_3_2;
+      slice0winner1_of_pair_3_3 <= slice0window_sum_3_3 when slice0winner1_of_pair_3_2_is_less else 0;
+      slice0winner1_of_pair_3_4 <= 0 when slice0winner1_of_pair_3_4_is_less else slice0window_sum_3_4;
+      slice0winner1_of_pair_3_5 <= slice0window_sum_3_5 when slice0winner1_of_pair_3_4_is_less else 0;
+      slice0winner1_of_pair_3_6 <= 0 when slice0winner1_of_pair_3_6_is_less else slice0window_sum_3_6;
+      slice0winner1_of_pair_3_7 <= slice0window_sum_3_7 when slice0winner1_of_pair_3_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
+      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
+      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
+      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
+      slice0winner1_pair_index_2_1 <= 3 when slice0winner1_of_pair_2_2_is_less else 2;
+      slice0winner1_pair_index_2_2 <= 5 when slice0winner1_of_pair_2_4_is_less else 4;
+      slice0winner1_pair_index_2_3 <= 7 when slice0winner1_of_pair_2_6_is_less else 6;
+      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
+      slice0winner1_pair_index_3_1 <= 3 when slice0winner1_of_pair_3_2_is_less else 2;
+      slice0winner1_pair_index_3_2 <= 5 when slice0winner1_of_pair_3_4_is_less else 4;
+      slice0winner1_pair_index_3_3 <= 7 when slice0winner1_of_pair_3_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
+      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
+      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
+      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
+      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
+      slice0winner1_of_four_2_3 <= slice0winner1_of_pair_2_3 when slice0winner1_of_four_2_0_is_less else 0;
+      slice0winner1_of_four_2_4 <= 0 when slice0winner1_of_four_2_4_is_less else slice0winner1_of_pair_2_4;
+      slice0winner1_of_four_2_5 <= 0 when slice0winner1_of_four_2_4_is_less else slice0winner1_of_pair_2_5;
+      slice0winner1_of_four_2_6 <= slice0winner1_of_pair_2_6 when slice0winner1_of_four_2_4_is_less else 0;
+      slice0winner1_of_four_2_7 <= slice0winner1_of_pair_2_7 when slice0winner1_of_four_2_4_is_less else 0;
+      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
+      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
+      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
+      slice0winner1_of_four_3_3 <= slice0winner1_of_pair_3_3 when slice0winner1_of_four_3_0_is_less else 0;
+      slice0winner1_of_four_3_4 <= 0 when slice0winner1_of_four_3_4_is_less else slice0winner1_of_pair_3_4;
+      slice0winner1_of_four_3_5 <= 0 when slice0winner1_of_four_3_4_is_less else slice0winner1_of_pair_3_5;
+      slice0winner1_of_four_3_6 <= slice0winner1_of_pair_3_6 when slice0winner1_of_four_3_4_is_less else 0;
+      slice0winner1_of_four_3_7 <= slice0winner1_of_pair_3_7 when slice0winner1_of_four_3_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
+        slice0winner1_pair_index_1_2;
+      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_2_1 when slice0winner1_of_four_2_0_is_less else
+        as_number(slice0winner1_pair_index_2_0);
+      slice0winner1_four_index_2_1 <= slice0winner1_pair_index_2_3 when slice0winner1_of_four_2_4_is_less else
+        slice0winner1_pair_index_2_2;
+      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_3_1 when slice0winner1_of_four_3_0_is_less else
+        as_number(slice0winner1_pair_index_3_0);
+      slice0winner1_four_index_3_1 <= slice0winner1_pair_index_3_3 when slice0winner1_of_four_3_4_is_less else
+        slice0winner1_pair_index_3_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 13)))) or (to_unsigned(slice0winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 13)))) or (to_unsigned(slice0winner1_of_four_0_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 13))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_1_3, 13)))) or (to_unsigned(slice0winner1_of_four_1_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_1_0, 13))));
+      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_1_7, 13)))) or (to_unsigned(slice0winner1_of_four_1_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_1_4, 13))));
+      slice0winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_2_3, 13)))) or (to_unsigned(slice0winner1_of_four_2_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_2_0, 13))));
+      slice0winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_2_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_2_7, 13)))) or (to_unsigned(slice0winner1_of_four_2_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_2_4, 13))));
+      slice0winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_3_3, 13)))) or (to_unsigned(slice0winner1_of_four_3_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_3_0, 13))));
+      slice0winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_3_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_3_7, 13)))) or (to_unsigned(slice0winner1_of_four_3_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_3_4, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
+      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
+      slice0winner1_best_index_2_1 <= slice0winner1_four_index_2_1;
+      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
+      slice0winner1_best_index_3_1 <= slice0winner1_four_index_3_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1_is_less := slice0winner1_best_cost_1_3 < slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_2_0_is_less := slice0winner1_best_cost_2_1 < slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_2_1_is_less := slice0winner1_best_cost_2_3 < slice0winner1_best_cost_2_2;
-      slice0winner2_best_cost_3_0_is_less := slice0winner1_best_cost_3_1 < slice0winner1_best_cost_3_0;
-      slice0winner2_best_cost_3_1_is_less := slice0winner1_best_cost_3_3 < slice0winner1_best_cost_3_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
+      slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
       slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
         slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_cost_1_2;
       slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
         slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_2_1 <= slice0winner1_best_cost_2_3 when slice0winner2_best_cost_2_1_is_less else
-        slice0winner1_best_cost_2_2;
       slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
         slice0winner1_best_cost_3_0;
-      slice0winner2_best_cost_3_1 <= slice0winner1_best_cost_3_3 when slice0winner2_best_cost_3_1_is_less else
-        slice0winner1_best_cost_3_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_index_1_2;
+        slice0winner1_best_index_1_0;
       slice0winner2_best_index_2_0 <= slice0winner1_best_index_2_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_2_1 <= slice0winner1_best_index_2_3 when slice0winner2_best_cost_2_1_is_less else
-        slice0winner1_best_index_2_2;
+        slice0winner1_best_index_2_0;
       slice0winner2_best_index_3_0 <= slice0winner1_best_index_3_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
-      slice0winner2_best_index_3_1 <= slice0winner1_best_index_3_3 when slice0winner2_best_cost_3_1_is_less else
-        slice0winner1_best_index_3_2;
+        slice0winner1_best_index_3_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_1_0_is_less := slice0winner2_best_cost_1_1 < slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_2_0_is_less := slice0winner2_best_cost_2_1 < slice0winner2_best_cost_2_0;
-      slice0winner3_best_cost_3_0_is_less := slice0winner2_best_cost_3_1 < slice0winner2_best_cost_3_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_2_0 <= slice0winner2_best_cost_2_1 when slice0winner3_best_cost_2_0_is_less else
-        slice0winner2_best_cost_2_0;
-      slice0winner3_best_cost_3_0 <= slice0winner2_best_cost_3_1 when slice0winner3_best_cost_3_0_is_less else
-        slice0winner2_best_cost_3_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_index_1_0;
-      slice0winner3_best_index_2_0 <= slice0winner2_best_index_2_1 when slice0winner3_best_cost_2_0_is_less else
-        slice0winner2_best_index_2_0;
-      slice0winner3_best_index_3_0 <= slice0winner2_best_index_3_1 when slice0winner3_best_cost_3_0_is_less else
-        slice0winner2_best_index_3_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner3_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner3_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
-      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 8;
-      slice0_best_index_2_0 <= slice0winner3_best_index_2_0 + 8;
-      slice0_best_index_3_0 <= slice0winner3_best_index_3_0 + 8;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 8;
+      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 8;
+      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1617,78 +1642,38 @@ begin
       slice1shift_reference_6 <= slice0shift_reference_6;
       slice1shift_reference_7 <= slice0shift_reference_7;
       -- slice1cost
-      slice1cost_pair_0_0_is_less := slice1cost_difference_2_0 < 0;
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_pair_0_0_is_less else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_is_less := slice1cost_difference_2_1 < 0;
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_pair_0_1_is_less else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_is_less := slice1cost_difference_2_2 < 0;
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_pair_0_2_is_less else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_is_less := slice1cost_difference_2_3 < 0;
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_pair_0_3_is_less else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_is_less := slice1cost_difference_2_4 < 0;
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_pair_0_4_is_less else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_is_less := slice1cost_difference_2_5 < 0;
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_pair_0_5_is_less else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_is_less := slice1cost_difference_2_6 < 0;
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_pair_0_6_is_less else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_is_less := slice1cost_difference_2_7 < 0;
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_pair_0_7_is_less else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
-      slice1cost_pair_1_4_choice := slice1cost_reverse_1_4 when slice1cost_difference_4_4 < 0 else
-        positive_part(slice1cost_difference_4_4);
-      slice1cost_pair_1_5_choice := slice1cost_reverse_1_5 when slice1cost_difference_4_5 < 0 else
-        positive_part(slice1cost_difference_4_5);
-      slice1cost_pair_1_6_choice := slice1cost_reverse_1_6 when slice1cost_difference_4_6 < 0 else
-        positive_part(slice1cost_difference_4_6);
-      slice1cost_pair_1_7_choice := slice1cost_reverse_1_7 when slice1cost_difference_4_7 < 0 else
-        positive_part(slice1cost_difference_4_7);
-      slice1cost_pair_2_0_choice := slice1cost_reverse_2_0 when slice1cost_difference_6_0 < 0 else
-        positive_part(slice1cost_difference_6_0);
+      slice1cost_pair_0_0_folded_value := folded(slice1cost_difference_2_0);
+      slice1cost_pair_0_1_folded_value := folded(slice1cost_difference_2_1);
+      slice1cost_pair_0_2_folded_value := folded(slice1cost_difference_2_2);
+      slice1cost_pair_0_3_folded_value := folded(slice1cost_difference_2_3);
+      slice1cost_pair_0_4_folded_value := folded(slice1cost_difference_2_4);
+      slice1cost_pair_0_5_folded_value := folded(slice1cost_difference_2_5);
+      slice1cost_pair_0_6_folded_value := folded(slice1cost_difference_2_6);
+      slice1cost_pair_0_7_folded_value := folded(slice1cost_difference_2_7);
       slice1cost_pair_2_0_folded_value := folded(slice1cost_difference_5_0);
       slice1cost_pair_2_0_is_less := slice1cost_difference_5_0 < 0;
-      slice1cost_pair_2_1_choice := slice1cost_reverse_2_1 when slice1cost_difference_6_1 < 0 else
-        positive_part(slice1cost_difference_6_1);
       slice1cost_pair_2_1_folded_value := folded(slice1cost_difference_5_1);
       slice1cost_pair_2_1_is_less := slice1cost_difference_5_1 < 0;
-      slice1cost_pair_2_2_choice := slice1cost_reverse_2_2 when slice1cost_difference_6_2 < 0 else
-        positive_part(slice1cost_difference_6_2);
       slice1cost_pair_2_2_folded_value := folded(slice1cost_difference_5_2);
       slice1cost_pair_2_2_is_less := slice1cost_difference_5_2 < 0;
-      slice1cost_pair_2_3_choice := slice1cost_reverse_2_3 when slice1cost_difference_6_3 < 0 else
-        positive_part(slice1cost_difference_6_3);
       slice1cost_pair_2_3_folded_value := folded(slice1cost_difference_5_3);
       slice1cost_pair_2_3_is_less := slice1cost_difference_5_3 < 0;
-      slice1cost_pair_2_4_choice := slice1cost_reverse_2_4 when slice1cost_difference_6_4 < 0 else
-        positive_part(slice1cost_difference_6_4);
       slice1cost_pair_2_4_folded_value := folded(slice1cost_difference_5_4);
       slice1cost_pair_2_4_is_less := slice1cost_difference_5_4 < 0;
-      slice1cost_pair_2_5_choice := slice1cost_reverse_2_5 when slice1cost_difference_6_5 < 0 else
-        positive_part(slice1cost_difference_6_5);
       slice1cost_pair_2_5_folded_value := folded(slice1cost_difference_5_5);
       slice1cost_pair_2_5_is_less := slice1cost_difference_5_5 < 0;
-      slice1cost_pair_2_6_choice := slice1cost_reverse_2_6 when slice1cost_difference_6_6 < 0 else
-        positive_part(slice1cost_difference_6_6);
       slice1cost_pair_2_6_folded_value := folded(slice1cost_difference_5_6);
       slice1cost_pair_2_6_is_less := slice1cost_difference_5_6 < 0;
-      slice1cost_pair_2_7_choice := slice1cost_reverse_2_7 when slice1cost_difference_6_7 < 0 else
-        positive_part(slice1cost_difference_6_7);
       slice1cost_pair_2_7_folded_value := folded(slice1cost_difference_5_7);
       slice1cost_pair_2_7_is_less := slice1cost_difference_5_7 < 0;
+      slice1cost_negative_0_0_is_less := slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1_is_less := slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2_is_less := slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3_is_less := slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4_is_less := slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5_is_less := slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6_is_less := slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7_is_less := slice1cost_difference_2_7 < 0;
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1753,206 +1738,206 @@ begin
       slice1cost_difference_7_5 <= slice1shift_search_7_5 - slice1shift_reference_7;
       slice1cost_difference_7_6 <= slice1shift_search_7_6 - slice1shift_reference_7;
       slice1cost_difference_7_7 <= slice1shift_search_7_7 - slice1shift_reference_7;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_reverse_1_4 <= (slice1shift_reference_4 - slice1shift_search_4_4) mod 256;
-      slice1cost_reverse_1_5 <= (slice1shift_reference_4 - slice1shift_search_4_5) mod 256;
-      slice1cost_reverse_1_6 <= (slice1shift_reference_4 - slice1shift_search_4_6) mod 256;
-      slice1cost_reverse_1_7 <= (slice1shift_reference_4 - slice1shift_search_4_7) mod 256;
-      slice1cost_reverse_2_0 <= (slice1shift_reference_6 - slice1shift_search_6_0) mod 256;
-      slice1cost_reverse_2_1 <= (slice1shift_reference_6 - slice1shift_search_6_1) mod 256;
-      slice1cost_reverse_2_2 <= (slice1shift_reference_6 - slice1shift_search_6_2) mod 256;
-      slice1cost_reverse_2_3 <= (slice1shift_reference_6 - slice1shift_search_6_3) mod 256;
-      slice1cost_reverse_2_4 <= (slice1shift_reference_6 - slice1shift_search_6_4) mod 256;
-      slice1cost_reverse_2_5 <= (slice1shift_reference_6 - slice1shift_search_6_5) mod 256;
-      slice1cost_reverse_2_6 <= (slice1shift_reference_6 - slice1shift_search_6_6) mod 256;
-      slice1cost_reverse_2_7 <= (slice1shift_reference_6 - slice1shift_search_6_7) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= slice1cost_pair_0_0_folded_value + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= slice1cost_pair_0_1_folded_value + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= slice1cost_pair_0_2_folded_value + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= slice1cost_pair_0_3_folded_value + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= slice1cost_pair_0_4_folded_value + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+      slice1cost_pair_0_5 <= slice1cost_pair_0_5_folded_value + folded(slice1cost_difference_1_5) +
         as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+      slice1cost_pair_0_6 <= slice1cost_pair_0_6_folded_value + folded(slice1cost_difference_1_6) +
         as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+      slice1cost_pair_0_7 <= slice1cost_pair_0_7_folded_value + folded(slice1cost_difference_1_7) +
         as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_pair_1_4 <= slice1cost_pair_1_4_choice + folded(slice1cost_difference_3_4) +
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
         as_number((slice1cost_difference_3_4 < 0));
-      slice1cost_pair_1_5 <= slice1cost_pair_1_5_choice + folded(slice1cost_difference_3_5) +
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
         as_number((slice1cost_difference_3_5 < 0));
-      slice1cost_pair_1_6 <= slice1cost_pair_1_6_choice + folded(slice1cost_difference_3_6) +
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
         as_number((slice1cost_difference_3_6 < 0));
-      slice1cost_pair_1_7 <= slice1cost_pair_1_7_choice + folded(slice1cost_difference_3_7) +
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
         as_number((slice1cost_difference_3_7 < 0));
-      slice1cost_pair_2_0 <= slice1cost_pair_2_0_choice + slice1cost_pair_2_0_folded_value +
+      slice1cost_pair_2_0 <= folded(slice1cost_difference_6_0) + slice1cost_pair_2_0_folded_value +
         as_number(slice1cost_pair_2_0_is_less);
-      slice1cost_pair_2_1 <= slice1cost_pair_2_1_choice + slice1cost_pair_2_1_folded_value +
+      slice1cost_pair_2_1 <= folded(slice1cost_difference_6_1) + slice1cost_pair_2_1_folded_value +
         as_number(slice1cost_pair_2_1_is_less);
-      slice1cost_pair_2_2 <= slice1cost_pair_2_2_choice + slice1cost_pair_2_2_folded_value +
+      slice1cost_pair_2_2 <= folded(slice1cost_difference_6_2) + slice1cost_pair_2_2_folded_value +
         as_number(slice1cost_pair_2_2_is_less);
-      slice1cost_pair_2_3 <= slice1cost_pair_2_3_choice + slice1cost_pair_2_3_folded_value +
+      slice1cost_pair_2_3 <= folded(slice1cost_difference_6_3) + slice1cost_pair_2_3_folded_value +
         as_number(slice1cost_pair_2_3_is_less);
-      slice1cost_pair_2_4 <= slice1cost_pair_2_4_choice + slice1cost_pair_2_4_folded_value +
+      slice1cost_pair_2_4 <= folded(slice1cost_difference_6_4) + slice1cost_pair_2_4_folded_value +
         as_number(slice1cost_pair_2_4_is_less);
-      slice1cost_pair_2_5 <= slice1cost_pair_2_5_choice + slice1cost_pair_2_5_folded_value +
+      slice1cost_pair_2_5 <= folded(slice1cost_difference_6_5) + slice1cost_pair_2_5_folded_value +
         as_number(slice1cost_pair_2_5_is_less);
-      slice1cost_pair_2_6 <= slice1cost_pair_2_6_choice + slice1cost_pair_2_6_folded_value +
+      slice1cost_pair_2_6 <= folded(slice1cost_difference_6_6) + slice1cost_pair_2_6_folded_value +
         as_number(slice1cost_pair_2_6_is_less);
-      slice1cost_pair_2_7 <= slice1cost_pair_2_7_choice + slice1cost_pair_2_7_folded_value +
+      slice1cost_pair_2_7 <= folded(slice1cost_difference_6_7) + slice1cost_pair_2_7_folded_value +
         as_number(slice1cost_pair_2_7_is_less);
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_single_2_0 <= folded(slice1cost_difference_2_0);
-      slice1cost_single_2_1 <= folded(slice1cost_difference_2_1);
-      slice1cost_single_2_2 <= folded(slice1cost_difference_2_2);
-      slice1cost_single_2_3 <= folded(slice1cost_difference_2_3);
-      slice1cost_single_2_4 <= folded(slice1cost_difference_2_4);
-      slice1cost_single_2_5 <= folded(slice1cost_difference_2_5);
-      slice1cost_single_2_6 <= folded(slice1cost_difference_2_6);
-      slice1cost_single_2_7 <= folded(slice1cost_difference_2_7);
-      slice1cost_single_5_0 <= slice1cost_pair_2_0_folded_value;
-      slice1cost_single_5_1 <= slice1cost_pair_2_1_folded_value;
-      slice1cost_single_5_2 <= slice1cost_pair_2_2_folded_value;
-      slice1cost_single_5_3 <= slice1cost_pair_2_3_folded_value;
-      slice1cost_single_5_4 <= slice1cost_pair_2_4_folded_value;
-      slice1cost_single_5_5 <= slice1cost_pair_2_5_folded_value;
-      slice1cost_single_5_6 <= slice1cost_pair_2_6_folded_value;
-      slice1cost_single_5_7 <= slice1cost_pair_2_7_folded_value;
-      slice1cost_single_7_0 <= folded(slice1cost_difference_7_0);
-      slice1cost_single_7_1 <= folded(slice1cost_difference_7_1);
-      slice1cost_single_7_2 <= folded(slice1cost_difference_7_2);
-      slice1cost_single_7_3 <= folded(slice1cost_difference_7_3);
-      slice1cost_single_7_4 <= folded(slice1cost_difference_7_4);
-      slice1cost_single_7_5 <= folded(slice1cost_difference_7_5);
-      slice1cost_single_7_6 <= folded(slice1cost_difference_7_6);
-      slice1cost_single_7_7 <= folded(slice1cost_difference_7_7);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
-      slice1cost_negative_2_0 <= slice1cost_pair_0_0_is_less;
-      slice1cost_negative_2_1 <= slice1cost_pair_0_1_is_less;
-      slice1cost_negative_2_2 <= slice1cost_pair_0_2_is_less;
-      slice1cost_negative_2_3 <= slice1cost_pair_0_3_is_less;
-      slice1cost_negative_2_4 <= slice1cost_pair_0_4_is_less;
-      slice1cost_negative_2_5 <= slice1cost_pair_0_5_is_less;
-      slice1cost_negative_2_6 <= slice1cost_pair_0_6_is_less;
-      slice1cost_negative_2_7 <= slice1cost_pair_0_7_is_less;
-      slice1cost_negative_5_0 <= slice1cost_pair_2_0_is_less;
-      slice1cost_negative_5_1 <= slice1cost_pair_2_1_is_less;
-      slice1cost_negative_5_2 <= slice1cost_pair_2_2_is_less;
-      slice1cost_negative_5_3 <= slice1cost_pair_2_3_is_less;
-      slice1cost_negative_5_4 <= slice1cost_pair_2_4_is_less;
-      slice1cost_negative_5_5 <= slice1cost_pair_2_5_is_less;
-      slice1cost_negative_5_6 <= slice1cost_pair_2_6_is_less;
-      slice1cost_negative_5_7 <= slice1cost_pair_2_7_is_less;
-      slice1cost_negative_7_0 <= slice1cost_difference_7_0 < 0;
-      slice1cost_negative_7_1 <= slice1cost_difference_7_1 < 0;
-      slice1cost_negative_7_2 <= slice1cost_difference_7_2 < 0;
-      slice1cost_negative_7_3 <= slice1cost_difference_7_3 < 0;
-      slice1cost_negative_7_4 <= slice1cost_difference_7_4 < 0;
-      slice1cost_negative_7_5 <= slice1cost_difference_7_5 < 0;
-      slice1cost_negative_7_6 <= slice1cost_difference_7_6 < 0;
-      slice1cost_negative_7_7 <= slice1cost_difference_7_7 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_pair_1_0 +
-        slice1cost_single_0_0 + as_number(slice1cost_negative_0_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_pair_1_1 +
-        slice1cost_single_0_1 + as_number(slice1cost_negative_0_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_pair_1_2 +
-        slice1cost_single_0_2 + as_number(slice1cost_negative_0_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_pair_1_3 +
-        slice1cost_single_0_3 + as_number(slice1cost_negative_0_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_pair_1_4 +
-        slice1cost_single_0_4 + as_number(slice1cost_negative_0_4);
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_5 + slice1cost_pair_1_5 +
-        slice1cost_single_0_5 + as_number(slice1cost_negative_0_5);
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_6 + slice1cost_pair_1_6 +
-        slice1cost_single_0_6 + as_number(slice1cost_negative_0_6);
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_7 + slice1cost_pair_1_7 +
-        slice1cost_single_0_7 + as_number(slice1cost_negative_0_7);
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_0) +
-        slice1cost_pair_0_0 + slice1cost_pair_1_0 + slice1cost_single_5_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_1) +
-        slice1cost_pair_0_1 + slice1cost_pair_1_1 + slice1cost_single_5_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_2) +
-        slice1cost_pair_0_2 + slice1cost_pair_1_2 + slice1cost_single_5_2;
-      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_3) +
-        slice1cost_pair_0_3 + slice1cost_pair_1_3 + slice1cost_single_5_3;
-      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_4) +
-        slice1cost_pair_0_4 + slice1cost_pair_1_4 + slice1cost_single_5_4;
-      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_5) +
-        slice1cost_pair_0_5 + slice1cost_pair_1_5 + slice1cost_single_5_5;
-      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_6) +
-        slice1cost_pair_0_6 + slice1cost_pair_1_6 + slice1cost_single_5_6;
-      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_5_7) +
-        slice1cost_pair_0_7 + slice1cost_pair_1_7 + slice1cost_single_5_7;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 + slice1cost_pair_2_0 +
-        slice1cost_single_2_0 + as_number(slice1cost_negative_2_0);
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 + slice1cost_pair_2_1 +
-        slice1cost_single_2_1 + as_number(slice1cost_negative_2_1);
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 + slice1cost_pair_2_2 +
-        slice1cost_single_2_2 + as_number(slice1cost_negative_2_2);
-      slice1cost_column_2_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_3 + slice1cost_pair_2_3 +
-        slice1cost_single_2_3 + as_number(slice1cost_negative_2_3);
-      slice1cost_column_2_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_4 + slice1cost_pair_2_4 +
-        slice1cost_single_2_4 + as_number(slice1cost_negative_2_4);
-      slice1cost_column_2_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_5 + slice1cost_pair_2_5 +
-        slice1cost_single_2_5 + as_number(slice1cost_negative_2_5);
-      slice1cost_column_2_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_6 + slice1cost_pair_2_6 +
-        slice1cost_single_2_6 + as_number(slice1cost_negative_2_6);
-      slice1cost_column_2_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_7 + slice1cost_pair_2_7 +
-        slice1cost_single_2_7 + as_number(slice1cost_negative_2_7);
-      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 + slice1cost_pair_2_0 +
-        slice1cost_single_7_0 + as_number(slice1cost_negative_7_0);
-      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 + slice1cost_pair_2_1 +
-        slice1cost_single_7_1 + as_number(slice1cost_negative_7_1);
-      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 + slice1cost_pair_2_2 +
-        slice1cost_single_7_2 + as_number(slice1cost_negative_7_2);
-      slice1cost_column_3_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_3 + slice1cost_pair_2_3 +
-        slice1cost_single_7_3 + as_number(slice1cost_negative_7_3);
-      slice1cost_column_3_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_4 + slice1cost_pair_2_4 +
-        slice1cost_single_7_4 + as_number(slice1cost_negative_7_4);
-      slice1cost_column_3_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_5 + slice1cost_pair_2_5 +
-        slice1cost_single_7_5 + as_number(slice1cost_negative_7_5);
-      slice1cost_column_3_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_6 + slice1cost_pair_2_6 +
-        slice1cost_single_7_6 + as_number(slice1cost_negative_7_6);
-      slice1cost_column_3_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_7 + slice1cost_pair_2_7 +
-        slice1cost_single_7_7 + as_number(slice1cost_negative_7_7);
+      slice1cost_negative_0_0 <= slice1cost_negative_0_0_is_less;
+      slice1cost_negative_0_1 <= slice1cost_negative_0_1_is_less;
+      slice1cost_negative_0_2 <= slice1cost_negative_0_2_is_less;
+      slice1cost_negative_0_3 <= slice1cost_negative_0_3_is_less;
+      slice1cost_negative_0_4 <= slice1cost_negative_0_4_is_less;
+      slice1cost_negative_0_5 <= slice1cost_negative_0_5_is_less;
+      slice1cost_negative_0_6 <= slice1cost_negative_0_6_is_less;
+      slice1cost_negative_0_7 <= slice1cost_negative_0_7_is_less;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_negative_2_0 <= slice1cost_difference_6_0 < 0;
+      slice1cost_negative_2_1 <= slice1cost_difference_6_1 < 0;
+      slice1cost_negative_2_2 <= slice1cost_difference_6_2 < 0;
+      slice1cost_negative_2_3 <= slice1cost_difference_6_3 < 0;
+      slice1cost_negative_2_4 <= slice1cost_difference_6_4 < 0;
+      slice1cost_negative_2_5 <= slice1cost_difference_6_5 < 0;
+      slice1cost_negative_2_6 <= slice1cost_difference_6_6 < 0;
+      slice1cost_negative_2_7 <= slice1cost_difference_6_7 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
+      slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
+      slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
+      slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
+      slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
+      slice1cost_single_2_0 <= (slice1cost_pair_0_0_folded_value + as_number(slice1cost_negative_0_0_is_less)) mod 256;
+      slice1cost_single_2_1 <= (slice1cost_pair_0_1_folded_value + as_number(slice1cost_negative_0_1_is_less)) mod 256;
+      slice1cost_single_2_2 <= (slice1cost_pair_0_2_folded_value + as_number(slice1cost_negative_0_2_is_less)) mod 256;
+      slice1cost_single_2_3 <= (slice1cost_pair_0_3_folded_value + as_number(slice1cost_negative_0_3_is_less)) mod 256;
+      slice1cost_single_2_4 <= (slice1cost_pair_0_4_folded_value + as_number(slice1cost_negative_0_4_is_less)) mod 256;
+      slice1cost_single_2_5 <= (slice1cost_pair_0_5_folded_value + as_number(slice1cost_negative_0_5_is_less)) mod 256;
+      slice1cost_single_2_6 <= (slice1cost_pair_0_6_folded_value + as_number(slice1cost_negative_0_6_is_less)) mod 256;
+      slice1cost_single_2_7 <= (slice1cost_pair_0_7_folded_value + as_number(slice1cost_negative_0_7_is_less)) mod 256;
+      slice1cost_single_5_0 <= (slice1cost_pair_2_0_folded_value + as_number(slice1cost_pair_2_0_is_less)) mod 256;
+      slice1cost_single_5_1 <= (slice1cost_pair_2_1_folded_value + as_number(slice1cost_pair_2_1_is_less)) mod 256;
+      slice1cost_single_5_2 <= (slice1cost_pair_2_2_folded_value + as_number(slice1cost_pair_2_2_is_less)) mod 256;
+      slice1cost_single_5_3 <= (slice1cost_pair_2_3_folded_value + as_number(slice1cost_pair_2_3_is_less)) mod 256;
+      slice1cost_single_5_4 <= (slice1cost_pair_2_4_folded_value + as_number(slice1cost_pair_2_4_is_less)) mod 256;
+      slice1cost_single_5_5 <= (slice1cost_pair_2_5_folded_value + as_number(slice1cost_pair_2_5_is_less)) mod 256;
+      slice1cost_single_5_6 <= (slice1cost_pair_2_6_folded_value + as_number(slice1cost_pair_2_6_is_less)) mod 256;
+      slice1cost_single_5_7 <= (slice1cost_pair_2_7_folded_value + as_number(slice1cost_pair_2_7_is_less)) mod 256;
+      slice1cost_single_7_0 <= (folded(slice1cost_difference_7_0) + as_number((slice1cost_difference_7_0 < 0))) mod 256;
+      slice1cost_single_7_1 <= (folded(slice1cost_difference_7_1) + as_number((slice1cost_difference_7_1 < 0))) mod 256;
+      slice1cost_single_7_2 <= (folded(slice1cost_difference_7_2) + as_number((slice1cost_difference_7_2 < 0))) mod 256;
+      slice1cost_single_7_3 <= (folded(slice1cost_difference_7_3) + as_number((slice1cost_difference_7_3 < 0))) mod 256;
+      slice1cost_single_7_4 <= (folded(slice1cost_difference_7_4) + as_number((slice1cost_difference_7_4 < 0))) mod 256;
+      slice1cost_single_7_5 <= (folded(slice1cost_difference_7_5) + as_number((slice1cost_difference_7_5 < 0))) mod 256;
+      slice1cost_single_7_6 <= (folded(slice1cost_difference_7_6) + as_number((slice1cost_difference_7_6 < 0))) mod 256;
+      slice1cost_single_7_7 <= (folded(slice1cost_difference_7_7) + as_number((slice1cost_difference_7_7 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 +
+        as_number(slice1cost_negative_1_0) + as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 +
+        slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 +
+        as_number(slice1cost_negative_1_1) + as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 +
+        slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 +
+        as_number(slice1cost_negative_1_2) + as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 +
+        slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_3 +
+        as_number(slice1cost_negative_1_3) + as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 +
+        slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_4 +
+        as_number(slice1cost_negative_1_4) + as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 +
+        slice1cost_single_0_4;
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_5 +
+        as_number(slice1cost_negative_1_5) + as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 +
+        slice1cost_single_0_5;
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_6 +
+        as_number(slice1cost_negative_1_6) + as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 +
+        slice1cost_single_0_6;
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_7 +
+        as_number(slice1cost_negative_1_7) + as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 +
+        slice1cost_single_0_7;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 +
+        as_number(slice1cost_negative_1_0) + as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 +
+        slice1cost_single_5_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 +
+        as_number(slice1cost_negative_1_1) + as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 +
+        slice1cost_single_5_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 +
+        as_number(slice1cost_negative_1_2) + as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 +
+        slice1cost_single_5_2;
+      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_3 +
+        as_number(slice1cost_negative_1_3) + as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 +
+        slice1cost_single_5_3;
+      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_4 +
+        as_number(slice1cost_negative_1_4) + as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 +
+        slice1cost_single_5_4;
+      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_5 +
+        as_number(slice1cost_negative_1_5) + as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 +
+        slice1cost_single_5_5;
+      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_6 +
+        as_number(slice1cost_negative_1_6) + as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 +
+        slice1cost_single_5_6;
+      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_7 +
+        as_number(slice1cost_negative_1_7) + as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 +
+        slice1cost_single_5_7;
+      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_0 +
+        as_number(slice1cost_negative_2_0) + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) +
+        slice1cost_single_2_0;
+      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_1 +
+        as_number(slice1cost_negative_2_1) + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) +
+        slice1cost_single_2_1;
+      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_2 +
+        as_number(slice1cost_negative_2_2) + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) +
+        slice1cost_single_2_2;
+      slice1cost_column_2_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_3 +
+        as_number(slice1cost_negative_2_3) + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3) +
+        slice1cost_single_2_3;
+      slice1cost_column_2_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_4 +
+        as_number(slice1cost_negative_2_4) + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4) +
+        slice1cost_single_2_4;
+      slice1cost_column_2_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_5 +
+        as_number(slice1cost_negative_2_5) + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5) +
+        slice1cost_single_2_5;
+      slice1cost_column_2_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_6 +
+        as_number(slice1cost_negative_2_6) + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6) +
+        slice1cost_single_2_6;
+      slice1cost_column_2_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_7 +
+        as_number(slice1cost_negative_2_7) + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7) +
+        slice1cost_single_2_7;
+      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_0 +
+        as_number(slice1cost_negative_2_0) + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) +
+        slice1cost_single_7_0;
+      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_1 +
+        as_number(slice1cost_negative_2_1) + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) +
+        slice1cost_single_7_1;
+      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_2 +
+        as_number(slice1cost_negative_2_2) + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) +
+        slice1cost_single_7_2;
+      slice1cost_column_3_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_3 +
+        as_number(slice1cost_negative_2_3) + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3) +
+        slice1cost_single_7_3;
+      slice1cost_column_3_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_4 +
+        as_number(slice1cost_negative_2_4) + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4) +
+        slice1cost_single_7_4;
+      slice1cost_column_3_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_5 +
+        as_number(slice1cost_negative_2_5) + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5) +
+        slice1cost_single_7_5;
+      slice1cost_column_3_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_6 +
+        as_number(slice1cost_negative_2_6) + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6) +
+        slice1cost_single_7_6;
+      slice1cost_column_3_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_7 +
+        as_number(slice1cost_negative_2_7) + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7) +
+        slice1cost_single_7_7;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -2084,8 +2069,6 @@ begin
         slice1window_partial_3_3_6 <= slice1cost_column_3_6 + slice1window_partial_3_2_6;
         slice1window_partial_3_3_7 <= slice1cost_column_3_7 + slice1window_partial_3_2_7;
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
-        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       end if;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_3_1;
@@ -2120,141 +2103,204 @@ begin
       slice1window_sum_3_6 <= slice1cost_column_3_6 + slice1window_partial_3_3_6;
       slice1window_sum_3_7 <= slice1cost_column_3_7 + slice1window_partial_3_3_7;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1_is_less := slice1window_sum_1_3 < slice1window_sum_1_2;
-      slice1winner1_best_cost_1_2_is_less := slice1window_sum_1_5 < slice1window_sum_1_4;
-      slice1winner1_best_cost_1_3_is_less := slice1window_sum_1_7 < slice1window_sum_1_6;
-      slice1winner1_best_cost_2_0_is_less := slice1window_sum_2_1 < slice1window_sum_2_0;
-      slice1winner1_best_cost_2_1_is_less := slice1window_sum_2_3 < slice1window_sum_2_2;
-      slice1winner1_best_cost_2_2_is_less := slice1window_sum_2_5 < slice1window_sum_2_4;
-      slice1winner1_best_cost_2_3_is_less := slice1window_sum_2_7 < slice1window_sum_2_6;
-      slice1winner1_best_cost_3_0_is_less := slice1window_sum_3_1 < slice1window_sum_3_0;
-      slice1winner1_best_cost_3_1_is_less := slice1window_sum_3_3 < slice1window_sum_3_2;
-      slice1winner1_best_cost_3_2_is_less := slice1window_sum_3_5 < slice1window_sum_3_4;
-      slice1winner1_best_cost_3_3_is_less := slice1window_sum_3_7 < slice1window_sum_3_6;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
-        slice1window_sum_1_2;
-      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
-        slice1window_sum_1_4;
-      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
-        slice1window_sum_1_6;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
-      slice1winner1_best_cost_2_1 <= slice1window_sum_2_3 when slice1winner1_best_cost_2_1_is_less else
-        slice1window_sum_2_2;
-      slice1winner1_best_cost_2_2 <= slice1window_sum_2_5 when slice1winner1_best_cost_2_2_is_less else
-        slice1window_sum_2_4;
-      slice1winner1_best_cost_2_3 <= slice1window_sum_2_7 when slice1winner1_best_cost_2_3_is_less else
-        slice1window_sum_2_6;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
-      slice1winner1_best_cost_3_1 <= slice1window_sum_3_3 when slice1winner1_best_cost_3_1_is_less else
-        slice1window_sum_3_2;
-      slice1winner1_best_cost_3_2 <= slice1window_sum_3_5 when slice1winner1_best_cost_3_2_is_less else
-        slice1window_sum_3_4;
-      slice1winner1_best_cost_3_3 <= slice1window_sum_3_7 when slice1winner1_best_cost_3_3_is_less else
-        slice1window_sum_3_6;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
-      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
-      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
-      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
-      slice1winner1_best_index_2_1 <= 3 when slice1winner1_best_cost_2_1_is_less else 2;
-      slice1winner1_best_index_2_2 <= 5 when slice1winner1_best_cost_2_2_is_less else 4;
-      slice1winner1_best_index_2_3 <= 7 when slice1winner1_best_cost_2_3_is_less else 6;
-      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      slice1winner1_best_index_3_1 <= 3 when slice1winner1_best_cost_3_1_is_less else 2;
-      slice1winner1_best_index_3_2 <= 5 when slice1winner1_best_cost_3_2_is_less else 4;
-      slice1winner1_best_index_3_3 <= 7 when slice1winner1_best_cost_3_3_is_less else 6;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_pair_1_2_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
+      slice1winner1_of_pair_1_4_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
+      slice1winner1_of_pair_1_6_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
+      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_of_pair_2_2_is_less := (slice1window_sum_2_3 - slice1window_sum_2_2) < 0;
+      slice1winner1_of_pair_2_4_is_less := (slice1window_sum_2_5 - slice1window_sum_2_4) < 0;
+      slice1winner1_of_pair_2_6_is_less := (slice1window_sum_2_7 - slice1window_sum_2_6) < 0;
+      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_of_pair_3_2_is_less := (slice1window_sum_3_3 - slice1window_sum_3_2) < 0;
+      slice1winner1_of_pair_3_4_is_less := (slice1window_sum_3_5 - slice1window_sum_3_4) < 0;
+      slice1winner1_of_pair_3_6_is_less := (slice1window_sum_3_7 - slice1window_sum_3_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 13))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_1_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_1_1, 13))))) < 0;
+      slice1winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_1_6, 13)) or
+        (to_unsigned(slice1winner1_of_pair_1_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_1_4, 13)) or
+        (to_unsigned(slice1winner1_of_pair_1_5, 13))))) < 0;
+      slice1winner1_of_four_2_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_2_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_2_1, 13))))) < 0;
+      slice1winner1_of_four_2_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_2_6, 13)) or
+        (to_unsigned(slice1winner1_of_pair_2_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_2_4, 13)) or
+        (to_unsigned(slice1winner1_of_pair_2_5, 13))))) < 0;
+      slice1winner1_of_four_3_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_3_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_3_1, 13))))) < 0;
+      slice1winner1_of_four_3_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_3_6, 13)) or
+        (to_unsigned(slice1winner1_of_pair_3_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_3_4, 13)) or
+        (to_unsigned(slice1winner1_of_pair_3_5, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= 0 when slice1winner1_of_pair_1_2_is_less else slice1window_sum_1_2;
+      slice1winner1_of_pair_1_3 <= slice1window_sum_1_3 when slice1winner1_of_pair_1_2_is_less else 0;
+      slice1winner1_of_pair_1_4 <= 0 when slice1winner1_of_pair_1_4_is_less else slice1window_sum_1_4;
+      slice1winner1_of_pair_1_5 <= slice1window_sum_1_5 when slice1winner1_of_pair_1_4_is_less else 0;
+      slice1winner1_of_pair_1_6 <= 0 when slice1winner1_of_pair_1_6_is_less else slice1window_sum_1_6;
+      slice1winner1_of_pair_1_7 <= slice1window_sum_1_7 when slice1winner1_of_pair_1_6_is_less else 0;
+      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
+      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
+      slice1winner1_of_pair_2_2 <= 0 when slice1winner1_of_pair_2_2_is_less else slice1window_sum_2_2;
+      slice1winner1_of_pair_2_3 <= slice1window_sum_2_3 when slice1winner1_of_pair_2_2_is_less else 0;
+      slice1winner1_of_pair_2_4 <= 0 when slice1winner1_of_pair_2_4_is_less else slice1window_sum_2_4;
+      slice1winner1_of_pair_2_5 <= slice1window_sum_2_5 when slice1winner1_of_pair_2_4_is_less else 0;
+      slice1winner1_of_pair_2_6 <= 0 when slice1winner1_of_pair_2_6_is_less else slice1window_sum_2_6;
+      slice1winner1_of_pair_2_7 <= slice1window_sum_2_7 when slice1winner1_of_pair_2_6_is_less else 0;
+      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
+      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
+      slice1winner1_of_pair_3_2 <= 0 when slice1winner1_of_pair_3_2_is_less else slice1window_sum_3_2;
+      slice1winner1_of_pair_3_3 <= slice1window_sum_3_3 when slice1winner1_of_pair_3_2_is_less else 0;
+      slice1winner1_of_pair_3_4 <= 0 when slice1winner1_of_pair_3_4_is_less else slice1window_sum_3_4;
+      slice1winner1_of_pair_3_5 <= slice1window_sum_3_5 when slice1winner1_of_pair_3_4_is_less else 0;
+      slice1winner1_of_pair_3_6 <= 0 when slice1winner1_of_pair_3_6_is_less else slice1window_sum_3_6;
+      slice1winner1_of_pair_3_7 <= slice1window_sum_3_7 when slice1winner1_of_pair_3_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_pair_index_1_1 <= 3 when slice1winner1_of_pair_1_2_is_less else 2;
+      slice1winner1_pair_index_1_2 <= 5 when slice1winner1_of_pair_1_4_is_less else 4;
+      slice1winner1_pair_index_1_3 <= 7 when slice1winner1_of_pair_1_6_is_less else 6;
+      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
+      slice1winner1_pair_index_2_1 <= 3 when slice1winner1_of_pair_2_2_is_less else 2;
+      slice1winner1_pair_index_2_2 <= 5 when slice1winner1_of_pair_2_4_is_less else 4;
+      slice1winner1_pair_index_2_3 <= 7 when slice1winner1_of_pair_2_6_is_less else 6;
+      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
+      slice1winner1_pair_index_3_1 <= 3 when slice1winner1_of_pair_3_2_is_less else 2;
+      slice1winner1_pair_index_3_2 <= 5 when slice1winner1_of_pair_3_4_is_less else 4;
+      slice1winner1_pair_index_3_3 <= 7 when slice1winner1_of_pair_3_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_1_3 <= slice1winner1_of_pair_1_3 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_1_4 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_4;
+      slice1winner1_of_four_1_5 <= 0 when slice1winner1_of_four_1_4_is_less else slice1winner1_of_pair_1_5;
+      slice1winner1_of_four_1_6 <= slice1winner1_of_pair_1_6 when slice1winner1_of_four_1_4_is_less else 0;
+      slice1winner1_of_four_1_7 <= slice1winner1_of_pair_1_7 when slice1winner1_of_four_1_4_is_less else 0;
+      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
+      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
+      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
+      slice1winner1_of_four_2_3 <= slice1winner1_of_pair_2_3 when slice1winner1_of_four_2_0_is_less else 0;
+      slice1winner1_of_four_2_4 <= 0 when slice1winner1_of_four_2_4_is_less else slice1winner1_of_pair_2_4;
+      slice1winner1_of_four_2_5 <= 0 when slice1winner1_of_four_2_4_is_less else slice1winner1_of_pair_2_5;
+      slice1winner1_of_four_2_6 <= slice1winner1_of_pair_2_6 when slice1winner1_of_four_2_4_is_less else 0;
+      slice1winner1_of_four_2_7 <= slice1winner1_of_pair_2_7 when slice1winner1_of_four_2_4_is_less else 0;
+      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
+      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
+      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
+      slice1winner1_of_four_3_3 <= slice1winner1_of_pair_3_3 when slice1winner1_of_four_3_0_is_less else 0;
+      slice1winner1_of_four_3_4 <= 0 when slice1winner1_of_four_3_4_is_less else slice1winner1_of_pair_3_4;
+      slice1winner1_of_four_3_5 <= 0 when slice1winner1_of_four_3_4_is_less else slice1winner1_of_pair_3_5;
+      slice1winner1_of_four_3_6 <= slice1winner1_of_pair_3_6 when slice1winner1_of_four_3_4_is_less else 0;
+      slice1winner1_of_four_3_7 <= slice1winner1_of_pair_3_7 when slice1winner1_of_four_3_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_1_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_four_index_1_1 <= slice1winner1_pair_index_1_3 when slice1winner1_of_four_1_4_is_less else
+        slice1winner1_pair_index_1_2;
+      slice1winner1_four_index_2_0 <= slice1winner1_pair_index_2_1 when slice1winner1_of_four_2_0_is_less else
+        as_number(slice1winner1_pair_index_2_0);
+      slice1winner1_four_index_2_1 <= slice1winner1_pair_index_2_3 when slice1winner1_of_four_2_4_is_less else
+        slice1winner1_pair_index_2_2;
+      slice1winner1_four_index_3_0 <= slice1winner1_pair_index_3_1 when slice1winner1_of_four_3_0_is_less else
+        as_number(slice1winner1_pair_index_3_0);
+      slice1winner1_four_index_3_1 <= slice1winner1_pair_index_3_3 when slice1winner1_of_four_3_4_is_less else
+        slice1winner1_pair_index_3_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 13))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 13)))) or (to_unsigned(slice1winner1_of_four_0_5, 13)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 13))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_1_3, 13)))) or (to_unsigned(slice1winner1_of_four_1_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_1_0, 13))));
+      slice1winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_1_6, 13)) or
+        (to_unsigned(slice1winner1_of_four_1_7, 13)))) or (to_unsigned(slice1winner1_of_four_1_5, 13)))) or
+        (to_unsigned(slice1winner1_of_four_1_4, 13))));
+      slice1winner1_best_cost_2_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_2_3, 13)))) or (to_unsigned(slice1winner1_of_four_2_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_2_0, 13))));
+      slice1winner1_best_cost_2_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_2_6, 13)) or
+        (to_unsigned(slice1winner1_of_four_2_7, 13)))) or (to_unsigned(slice1winner1_of_four_2_5, 13)))) or
+        (to_unsigned(slice1winner1_of_four_2_4, 13))));
+      slice1winner1_best_cost_3_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_3_3, 13)))) or (to_unsigned(slice1winner1_of_four_3_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_3_0, 13))));
+      slice1winner1_best_cost_3_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_3_6, 13)) or
+        (to_unsigned(slice1winner1_of_four_3_7, 13)))) or (to_unsigned(slice1winner1_of_four_3_5, 13)))) or
+        (to_unsigned(slice1winner1_of_four_3_4, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_index_1_1 <= slice1winner1_four_index_1_1;
+      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
+      slice1winner1_best_index_2_1 <= slice1winner1_four_index_2_1;
+      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
+      slice1winner1_best_index_3_1 <= slice1winner1_four_index_3_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_1_1_is_less := slice1winner1_best_cost_1_3 < slice1winner1_best_cost_1_2;
-      slice1winner2_best_cost_2_0_is_less := slice1winner1_best_cost_2_1 < slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_2_1_is_less := slice1winner1_best_cost_2_3 < slice1winner1_best_cost_2_2;
-      slice1winner2_best_cost_3_0_is_less := slice1winner1_best_cost_3_1 < slice1winner1_best_cost_3_0;
-      slice1winner2_best_cost_3_1_is_less := slice1winner1_best_cost_3_3 < slice1winner1_best_cost_3_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
+      slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
+      slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
       slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
         slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
-        slice1winner1_best_cost_1_2;
       slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
         slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_2_1 <= slice1winner1_best_cost_2_3 when slice1winner2_best_cost_2_1_is_less else
-        slice1winner1_best_cost_2_2;
       slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
         slice1winner1_best_cost_3_0;
-      slice1winner2_best_cost_3_1 <= slice1winner1_best_cost_3_3 when slice1winner2_best_cost_3_1_is_less else
-        slice1winner1_best_cost_3_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
+        slice1winner1_best_index_0_0;
       slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
-        slice1winner1_best_index_1_2;
+        slice1winner1_best_index_1_0;
       slice1winner2_best_index_2_0 <= slice1winner1_best_index_2_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_2_1 <= slice1winner1_best_index_2_3 when slice1winner2_best_cost_2_1_is_less else
-        slice1winner1_best_index_2_2;
+        slice1winner1_best_index_2_0;
       slice1winner2_best_index_3_0 <= slice1winner1_best_index_3_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
-      slice1winner2_best_index_3_1 <= slice1winner1_best_index_3_3 when slice1winner2_best_cost_3_1_is_less else
-        slice1winner1_best_index_3_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_1_0_is_less := slice1winner2_best_cost_1_1 < slice1winner2_best_cost_1_0;
-      slice1winner3_best_cost_2_0_is_less := slice1winner2_best_cost_2_1 < slice1winner2_best_cost_2_0;
-      slice1winner3_best_cost_3_0_is_less := slice1winner2_best_cost_3_1 < slice1winner2_best_cost_3_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
-        slice1winner2_best_cost_1_0;
-      slice1winner3_best_cost_2_0 <= slice1winner2_best_cost_2_1 when slice1winner3_best_cost_2_0_is_less else
-        slice1winner2_best_cost_2_0;
-      slice1winner3_best_cost_3_0 <= slice1winner2_best_cost_3_1 when slice1winner3_best_cost_3_0_is_less else
-        slice1winner2_best_cost_3_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
-        slice1winner2_best_index_1_0;
-      slice1winner3_best_index_2_0 <= slice1winner2_best_index_2_1 when slice1winner3_best_cost_2_0_is_less else
-        slice1winner2_best_index_2_0;
-      slice1winner3_best_index_3_0 <= slice1winner2_best_index_3_1 when slice1winner3_best_cost_3_0_is_less else
-        slice1winner2_best_index_3_0;
+        slice1winner1_best_index_3_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice0_best_cost_1_0 < slice1winner3_best_cost_1_0 else
-        slice1winner3_best_index_1_0;
-      slice1_best_index_2_0 <= slice0_best_index_2_0 when slice0_best_cost_2_0 < slice1winner3_best_cost_2_0 else
-        slice1winner3_best_index_2_0;
-      slice1_best_index_3_0 <= slice0_best_index_3_0 when slice0_best_cost_3_0 < slice1winner3_best_cost_3_0 else
-        slice1winner3_best_index_3_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0 else
+        slice1winner2_best_index_1_0;
+      slice1_best_index_2_0 <= slice0_best_index_2_0 when (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0 else
+        slice1winner2_best_index_2_0;
+      slice1_best_index_3_0 <= slice0_best_index_3_0 when (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0 else
+        slice1winner2_best_index_3_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2263,10 +2309,10 @@ begin
       other_0 <= rows_reference_rows_read_newest_2 + (rows_reference_rows_read_newest_3 * 256);
       other_1 <= (rows_search_rows_read_newest_3 * 256) + rows_search_rows_read_newest_2;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 17;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -2307,11 +2353,21 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
+        slice0window_centre_end_of_line_1 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -2320,17 +2376,11 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
         slice1window_centre_output_column_0 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
-        slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_slice16: 96x64, 16 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_slice16: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 5, slice_disparities 16.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_slice16
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_slice16 is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 15;
-    flush_groups : positive := 193;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 17;
+    flush_groups : positive := 641;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_slice16 is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_slice16: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_slice16: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_slice16: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_slice16: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_slice16: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_slice16: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_slice16: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 15 report "stereo_core_study_slice16: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
-  assert flush_groups = 193 report "stereo_core_study_slice16: flush_groups is " & integer'image(flush_groups) & " but this core has 193" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_slice16: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 17 report "stereo_core_study_slice16: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
+  assert flush_groups = 641 report "stereo_core_study_slice16: flush_groups is " & integer'image(flush_groups) & " but this core has 641" severity failure;
   assert gap_groups = 0 report "stereo_core_study_slice16: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_slice16 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_slice16 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,13 +92,14 @@ architecture rtl of stereo_core_study_slice16 is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
   signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
@@ -112,7 +111,7 @@ architecture rtl of stereo_core_study_slice16 is
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
   signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 255;
   signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
   signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
@@ -180,22 +179,6 @@ architecture rtl of stereo_core_study_slice16 is
   signal slice0cost_difference_4_8, slice0cost_difference_4_9, slice0cost_difference_4_10 : integer range -255 to 255;
   signal slice0cost_difference_4_11, slice0cost_difference_4_12, slice0cost_difference_4_13 : integer range -255 to 255;
   signal slice0cost_difference_4_14, slice0cost_difference_4_15 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_0_8 : natural range 0 to 255;
-  signal slice0cost_reverse_0_9, slice0cost_reverse_0_10, slice0cost_reverse_0_11 : natural range 0 to 255;
-  signal slice0cost_reverse_0_12, slice0cost_reverse_0_13, slice0cost_reverse_0_14 : natural range 0 to 255;
-  signal slice0cost_reverse_0_15, slice0cost_reverse_1_0, slice0cost_reverse_1_1 : natural range 0 to 255;
-  signal slice0cost_reverse_1_2, slice0cost_reverse_1_3, slice0cost_reverse_1_4 : natural range 0 to 255;
-  signal slice0cost_reverse_1_5, slice0cost_reverse_1_6, slice0cost_reverse_1_7 : natural range 0 to 255;
-  signal slice0cost_reverse_1_8, slice0cost_reverse_1_9, slice0cost_reverse_1_10 : natural range 0 to 255;
-  signal slice0cost_reverse_1_11, slice0cost_reverse_1_12, slice0cost_reverse_1_13 : natural range 0 to 255;
-  signal slice0cost_reverse_1_14, slice0cost_reverse_1_15, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
-  signal slice0cost_single_0_4, slice0cost_single_0_5, slice0cost_single_0_6 : natural range 0 to 255;
-  signal slice0cost_single_0_7, slice0cost_single_0_8, slice0cost_single_0_9 : natural range 0 to 255;
-  signal slice0cost_single_0_10, slice0cost_single_0_11, slice0cost_single_0_12 : natural range 0 to 255;
-  signal slice0cost_single_0_13, slice0cost_single_0_14, slice0cost_single_0_15 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
@@ -203,9 +186,14 @@ architecture rtl of stereo_core_study_slice16 is
   signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_0_8, slice0cost_negative_0_9 : boolean;
   signal slice0cost_negative_0_10, slice0cost_negative_0_11, slice0cost_negative_0_12 : boolean;
   signal slice0cost_negative_0_13, slice0cost_negative_0_14, slice0cost_negative_0_15 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2, slice0cost_negative_1_3 : boolean;
+  signal slice0cost_negative_1_4, slice0cost_negative_1_5, slice0cost_negative_1_6, slice0cost_negative_1_7 : boolean;
+  signal slice0cost_negative_1_8, slice0cost_negative_1_9, slice0cost_negative_1_10, slice0cost_negative_1_11 : boolean;
+  signal slice0cost_negative_1_12, slice0cost_negative_1_13, slice0cost_negative_1_14 : boolean;
+  signal slice0cost_negative_1_15, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
   signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
@@ -215,80 +203,94 @@ architecture rtl of stereo_core_study_slice16 is
   signal slice0cost_pair_1_7, slice0cost_pair_1_8, slice0cost_pair_1_9, slice0cost_pair_1_10 : natural range 0 to 511;
   signal slice0cost_pair_1_11, slice0cost_pair_1_12, slice0cost_pair_1_13 : natural range 0 to 511;
   signal slice0cost_pair_1_14, slice0cost_pair_1_15 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1278;
-  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 1278;
-  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 1278;
-  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 1278;
-  signal slice0cost_column_0_15 : natural range 0 to 1278;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7, slice0cost_single_0_8 : natural range 0 to 255;
+  signal slice0cost_single_0_9, slice0cost_single_0_10, slice0cost_single_0_11 : natural range 0 to 255;
+  signal slice0cost_single_0_12, slice0cost_single_0_13, slice0cost_single_0_14 : natural range 0 to 255;
+  signal slice0cost_single_0_15 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1279;
+  signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 1279;
+  signal slice0cost_column_0_9, slice0cost_column_0_10, slice0cost_column_0_11 : natural range 0 to 1279;
+  signal slice0cost_column_0_12, slice0cost_column_0_13, slice0cost_column_0_14 : natural range 0 to 1279;
+  signal slice0cost_column_0_15 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_14, slice0window_partial_0_0_15 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7, slice0window_partial_0_2_8 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_9, slice0window_partial_0_2_10, slice0window_partial_0_2_11 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_12, slice0window_partial_0_2_13 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_14, slice0window_partial_0_2_15 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7, slice0window_partial_0_3_8 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_9, slice0window_partial_0_3_10, slice0window_partial_0_3_11 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_12, slice0window_partial_0_3_13 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_14, slice0window_partial_0_3_15 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7, slice0window_partial_0_0_8 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_9, slice0window_partial_0_0_10, slice0window_partial_0_0_11 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_12, slice0window_partial_0_0_13 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_14, slice0window_partial_0_0_15 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7, slice0window_partial_0_1_8 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_9, slice0window_partial_0_1_10, slice0window_partial_0_1_11 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_12, slice0window_partial_0_1_13 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_14, slice0window_partial_0_1_15 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7, slice0window_partial_0_2_8 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_9, slice0window_partial_0_2_10, slice0window_partial_0_2_11 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_12, slice0window_partial_0_2_13 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_14, slice0window_partial_0_2_15 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7, slice0window_partial_0_3_8 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_9, slice0window_partial_0_3_10, slice0window_partial_0_3_11 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_12, slice0window_partial_0_3_13 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_14, slice0window_partial_0_3_15 : natural range 0 to 5116;
   signal slice0window_centre_output_column_0, slice0window_centre_output_column_1 : boolean;
   signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_centre_end_of_line_1, slice0window_tag_valid : boolean;
   signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6390;
-  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 6390;
-  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 6390;
-  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 6390;
-  signal slice0window_sum_0_15 : natural range 0 to 6390;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6395;
+  signal slice0window_sum_0_6, slice0window_sum_0_7, slice0window_sum_0_8 : natural range 0 to 6395;
+  signal slice0window_sum_0_9, slice0window_sum_0_10, slice0window_sum_0_11 : natural range 0 to 6395;
+  signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 6395;
+  signal slice0window_sum_0_15 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_15, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3, slice0winner1_of_four_0_4 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_5, slice0winner1_of_four_0_6, slice0winner1_of_four_0_7 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_8, slice0winner1_of_four_0_9, slice0winner1_of_four_0_10 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_11, slice0winner1_of_four_0_12, slice0winner1_of_four_0_13 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_14, slice0winner1_of_four_0_15 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 8191;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
-  -- slice0winner4
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
+  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 8191;
+  signal slice0winner2_of_pair_0_3 : natural range 0 to 8191;
+  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -310,7 +312,7 @@ begin
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -318,7 +320,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -334,57 +336,41 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_2_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_pair_0_8_is_less, slice0winner1_of_pair_0_10_is_less : boolean;
+    variable slice0winner1_of_pair_0_12_is_less, slice0winner1_of_pair_0_14_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner1_of_four_0_8_is_less, slice0winner1_of_four_0_12_is_less : boolean;
+    variable slice0winner2_of_pair_0_0_is_less, slice0winner2_of_pair_0_2_is_less : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_8_choice, slice0cost_pair_0_9_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_10_choice, slice0cost_pair_0_11_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_12_choice, slice0cost_pair_0_13_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_14_choice, slice0cost_pair_0_15_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_4_choice, slice0cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_6_choice, slice0cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_8_choice, slice0cost_pair_1_9_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_10_choice, slice0cost_pair_1_11_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_12_choice, slice0cost_pair_1_13_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_14_choice, slice0cost_pair_1_15_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 63;
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 2 when (raster_place_group = 65) and raster_features_start_of_frame else
+      raster_place_group_is_equal_3 := raster_place_group = 65;
+      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+        raster_place_group_is_equal_2 and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
       raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
         raster_place_group_choice_2;
-      raster_features_start_of_frame_choice := (raster_place_group /= 65) and raster_features_start_of_frame when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame when raster_place_group = 66 else
-        raster_features_start_of_frame_choice;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
+        raster_place_next_frame_choice;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -396,15 +382,16 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_4 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_2_is_less and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 2) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -550,70 +537,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_0_8_choice := slice0cost_reverse_0_8 when slice0cost_difference_2_8 < 0 else
-        positive_part(slice0cost_difference_2_8);
-      slice0cost_pair_0_9_choice := slice0cost_reverse_0_9 when slice0cost_difference_2_9 < 0 else
-        positive_part(slice0cost_difference_2_9);
-      slice0cost_pair_0_10_choice := slice0cost_reverse_0_10 when slice0cost_difference_2_10 < 0 else
-        positive_part(slice0cost_difference_2_10);
-      slice0cost_pair_0_11_choice := slice0cost_reverse_0_11 when slice0cost_difference_2_11 < 0 else
-        positive_part(slice0cost_difference_2_11);
-      slice0cost_pair_0_12_choice := slice0cost_reverse_0_12 when slice0cost_difference_2_12 < 0 else
-        positive_part(slice0cost_difference_2_12);
-      slice0cost_pair_0_13_choice := slice0cost_reverse_0_13 when slice0cost_difference_2_13 < 0 else
-        positive_part(slice0cost_difference_2_13);
-      slice0cost_pair_0_14_choice := slice0cost_reverse_0_14 when slice0cost_difference_2_14 < 0 else
-        positive_part(slice0cost_difference_2_14);
-      slice0cost_pair_0_15_choice := slice0cost_reverse_0_15 when slice0cost_difference_2_15 < 0 else
-        positive_part(slice0cost_difference_2_15);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
-      slice0cost_pair_1_8_choice := slice0cost_reverse_1_8 when slice0cost_difference_4_8 < 0 else
-        positive_part(slice0cost_difference_4_8);
-      slice0cost_pair_1_9_choice := slice0cost_reverse_1_9 when slice0cost_difference_4_9 < 0 else
-        positive_part(slice0cost_difference_4_9);
-      slice0cost_pair_1_10_choice := slice0cost_reverse_1_10 when slice0cost_difference_4_10 < 0 else
-        positive_part(slice0cost_difference_4_10);
-      slice0cost_pair_1_11_choice := slice0cost_reverse_1_11 when slice0cost_difference_4_11 < 0 else
-        positive_part(slice0cost_difference_4_11);
-      slice0cost_pair_1_12_choice := slice0cost_reverse_1_12 when slice0cost_difference_4_12 < 0 else
-        positive_part(slice0cost_difference_4_12);
-      slice0cost_pair_1_13_choice := slice0cost_reverse_1_13 when slice0cost_difference_4_13 < 0 else
-        positive_part(slice0cost_difference_4_13);
-      slice0cost_pair_1_14_choice := slice0cost_reverse_1_14 when slice0cost_difference_4_14 < 0 else
-        positive_part(slice0cost_difference_4_14);
-      slice0cost_pair_1_15_choice := slice0cost_reverse_1_15 when slice0cost_difference_4_15 < 0 else
-        positive_part(slice0cost_difference_4_15);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -694,176 +617,166 @@ begin
       slice0cost_difference_4_13 <= slice0shift_search_4_13 - slice0shift_reference_4;
       slice0cost_difference_4_14 <= slice0shift_search_4_14 - slice0shift_reference_4;
       slice0cost_difference_4_15 <= slice0shift_search_4_15 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_0_8 <= (slice0shift_reference_2 - slice0shift_search_2_8) mod 256;
-      slice0cost_reverse_0_9 <= (slice0shift_reference_2 - slice0shift_search_2_9) mod 256;
-      slice0cost_reverse_0_10 <= (slice0shift_reference_2 - slice0shift_search_2_10) mod 256;
-      slice0cost_reverse_0_11 <= (slice0shift_reference_2 - slice0shift_search_2_11) mod 256;
-      slice0cost_reverse_0_12 <= (slice0shift_reference_2 - slice0shift_search_2_12) mod 256;
-      slice0cost_reverse_0_13 <= (slice0shift_reference_2 - slice0shift_search_2_13) mod 256;
-      slice0cost_reverse_0_14 <= (slice0shift_reference_2 - slice0shift_search_2_14) mod 256;
-      slice0cost_reverse_0_15 <= (slice0shift_reference_2 - slice0shift_search_2_15) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
-      slice0cost_reverse_1_8 <= (slice0shift_reference_4 - slice0shift_search_4_8) mod 256;
-      slice0cost_reverse_1_9 <= (slice0shift_reference_4 - slice0shift_search_4_9) mod 256;
-      slice0cost_reverse_1_10 <= (slice0shift_reference_4 - slice0shift_search_4_10) mod 256;
-      slice0cost_reverse_1_11 <= (slice0shift_reference_4 - slice0shift_search_4_11) mod 256;
-      slice0cost_reverse_1_12 <= (slice0shift_reference_4 - slice0shift_search_4_12) mod 256;
-      slice0cost_reverse_1_13 <= (slice0shift_reference_4 - slice0shift_search_4_13) mod 256;
-      slice0cost_reverse_1_14 <= (slice0shift_reference_4 - slice0shift_search_4_14) mod 256;
-      slice0cost_reverse_1_15 <= (slice0shift_reference_4 - slice0shift_search_4_15) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_0_8 <= slice0cost_pair_0_8_choice + folded(slice0cost_difference_1_8) +
+      slice0cost_pair_0_8 <= folded(slice0cost_difference_2_8) + folded(slice0cost_difference_1_8) +
         as_number((slice0cost_difference_1_8 < 0));
-      slice0cost_pair_0_9 <= slice0cost_pair_0_9_choice + folded(slice0cost_difference_1_9) +
+      slice0cost_pair_0_9 <= folded(slice0cost_difference_2_9) + folded(slice0cost_difference_1_9) +
         as_number((slice0cost_difference_1_9 < 0));
-      slice0cost_pair_0_10 <= slice0cost_pair_0_10_choice + folded(slice0cost_difference_1_10) +
+      slice0cost_pair_0_10 <= folded(slice0cost_difference_2_10) + folded(slice0cost_difference_1_10) +
         as_number((slice0cost_difference_1_10 < 0));
-      slice0cost_pair_0_11 <= slice0cost_pair_0_11_choice + folded(slice0cost_difference_1_11) +
+      slice0cost_pair_0_11 <= folded(slice0cost_difference_2_11) + folded(slice0cost_difference_1_11) +
         as_number((slice0cost_difference_1_11 < 0));
-      slice0cost_pair_0_12 <= slice0cost_pair_0_12_choice + folded(slice0cost_difference_1_12) +
+      slice0cost_pair_0_12 <= folded(slice0cost_difference_2_12) + folded(slice0cost_difference_1_12) +
         as_number((slice0cost_difference_1_12 < 0));
-      slice0cost_pair_0_13 <= slice0cost_pair_0_13_choice + folded(slice0cost_difference_1_13) +
+      slice0cost_pair_0_13 <= folded(slice0cost_difference_2_13) + folded(slice0cost_difference_1_13) +
         as_number((slice0cost_difference_1_13 < 0));
-      slice0cost_pair_0_14 <= slice0cost_pair_0_14_choice + folded(slice0cost_difference_1_14) +
+      slice0cost_pair_0_14 <= folded(slice0cost_difference_2_14) + folded(slice0cost_difference_1_14) +
         as_number((slice0cost_difference_1_14 < 0));
-      slice0cost_pair_0_15 <= slice0cost_pair_0_15_choice + folded(slice0cost_difference_1_15) +
+      slice0cost_pair_0_15 <= folded(slice0cost_difference_2_15) + folded(slice0cost_difference_1_15) +
         as_number((slice0cost_difference_1_15 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_pair_1_8 <= slice0cost_pair_1_8_choice + folded(slice0cost_difference_3_8) +
+      slice0cost_pair_1_8 <= folded(slice0cost_difference_4_8) + folded(slice0cost_difference_3_8) +
         as_number((slice0cost_difference_3_8 < 0));
-      slice0cost_pair_1_9 <= slice0cost_pair_1_9_choice + folded(slice0cost_difference_3_9) +
+      slice0cost_pair_1_9 <= folded(slice0cost_difference_4_9) + folded(slice0cost_difference_3_9) +
         as_number((slice0cost_difference_3_9 < 0));
-      slice0cost_pair_1_10 <= slice0cost_pair_1_10_choice + folded(slice0cost_difference_3_10) +
+      slice0cost_pair_1_10 <= folded(slice0cost_difference_4_10) + folded(slice0cost_difference_3_10) +
         as_number((slice0cost_difference_3_10 < 0));
-      slice0cost_pair_1_11 <= slice0cost_pair_1_11_choice + folded(slice0cost_difference_3_11) +
+      slice0cost_pair_1_11 <= folded(slice0cost_difference_4_11) + folded(slice0cost_difference_3_11) +
         as_number((slice0cost_difference_3_11 < 0));
-      slice0cost_pair_1_12 <= slice0cost_pair_1_12_choice + folded(slice0cost_difference_3_12) +
+      slice0cost_pair_1_12 <= folded(slice0cost_difference_4_12) + folded(slice0cost_difference_3_12) +
         as_number((slice0cost_difference_3_12 < 0));
-      slice0cost_pair_1_13 <= slice0cost_pair_1_13_choice + folded(slice0cost_difference_3_13) +
+      slice0cost_pair_1_13 <= folded(slice0cost_difference_4_13) + folded(slice0cost_difference_3_13) +
         as_number((slice0cost_difference_3_13 < 0));
-      slice0cost_pair_1_14 <= slice0cost_pair_1_14_choice + folded(slice0cost_difference_3_14) +
+      slice0cost_pair_1_14 <= folded(slice0cost_difference_4_14) + folded(slice0cost_difference_3_14) +
         as_number((slice0cost_difference_3_14 < 0));
-      slice0cost_pair_1_15 <= slice0cost_pair_1_15_choice + folded(slice0cost_difference_3_15) +
+      slice0cost_pair_1_15 <= folded(slice0cost_difference_4_15) + folded(slice0cost_difference_3_15) +
         as_number((slice0cost_difference_3_15 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_single_0_8 <= folded(slice0cost_difference_0_8);
-      slice0cost_single_0_9 <= folded(slice0cost_difference_0_9);
-      slice0cost_single_0_10 <= folded(slice0cost_difference_0_10);
-      slice0cost_single_0_11 <= folded(slice0cost_difference_0_11);
-      slice0cost_single_0_12 <= folded(slice0cost_difference_0_12);
-      slice0cost_single_0_13 <= folded(slice0cost_difference_0_13);
-      slice0cost_single_0_14 <= folded(slice0cost_difference_0_14);
-      slice0cost_single_0_15 <= folded(slice0cost_difference_0_15);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
-      slice0cost_negative_0_8 <= slice0cost_difference_0_8 < 0;
-      slice0cost_negative_0_9 <= slice0cost_difference_0_9 < 0;
-      slice0cost_negative_0_10 <= slice0cost_difference_0_10 < 0;
-      slice0cost_negative_0_11 <= slice0cost_difference_0_11 < 0;
-      slice0cost_negative_0_12 <= slice0cost_difference_0_12 < 0;
-      slice0cost_negative_0_13 <= slice0cost_difference_0_13 < 0;
-      slice0cost_negative_0_14 <= slice0cost_difference_0_14 < 0;
-      slice0cost_negative_0_15 <= slice0cost_difference_0_15 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_0_8 <= slice0cost_difference_2_8 < 0;
+      slice0cost_negative_0_9 <= slice0cost_difference_2_9 < 0;
+      slice0cost_negative_0_10 <= slice0cost_difference_2_10 < 0;
+      slice0cost_negative_0_11 <= slice0cost_difference_2_11 < 0;
+      slice0cost_negative_0_12 <= slice0cost_difference_2_12 < 0;
+      slice0cost_negative_0_13 <= slice0cost_difference_2_13 < 0;
+      slice0cost_negative_0_14 <= slice0cost_difference_2_14 < 0;
+      slice0cost_negative_0_15 <= slice0cost_difference_2_15 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_negative_1_8 <= slice0cost_difference_4_8 < 0;
+      slice0cost_negative_1_9 <= slice0cost_difference_4_9 < 0;
+      slice0cost_negative_1_10 <= slice0cost_difference_4_10 < 0;
+      slice0cost_negative_1_11 <= slice0cost_difference_4_11 < 0;
+      slice0cost_negative_1_12 <= slice0cost_difference_4_12 < 0;
+      slice0cost_negative_1_13 <= slice0cost_difference_4_13 < 0;
+      slice0cost_negative_1_14 <= slice0cost_difference_4_14 < 0;
+      slice0cost_negative_1_15 <= slice0cost_difference_4_15 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
+      slice0cost_single_0_8 <= (folded(slice0cost_difference_0_8) + as_number((slice0cost_difference_0_8 < 0))) mod 256;
+      slice0cost_single_0_9 <= (folded(slice0cost_difference_0_9) + as_number((slice0cost_difference_0_9 < 0))) mod 256;
+      slice0cost_single_0_10 <= (folded(slice0cost_difference_0_10) + as_number((slice0cost_difference_0_10 < 0))) mod
+        256;
+      slice0cost_single_0_11 <= (folded(slice0cost_difference_0_11) + as_number((slice0cost_difference_0_11 < 0))) mod
+        256;
+      slice0cost_single_0_12 <= (folded(slice0cost_difference_0_12) + as_number((slice0cost_difference_0_12 < 0))) mod
+        256;
+      slice0cost_single_0_13 <= (folded(slice0cost_difference_0_13) + as_number((slice0cost_difference_0_13 < 0))) mod
+        256;
+      slice0cost_single_0_14 <= (folded(slice0cost_difference_0_14) + as_number((slice0cost_difference_0_14 < 0))) mod
+        256;
+      slice0cost_single_0_15 <= (folded(slice0cost_difference_0_15) + as_number((slice0cost_difference_0_15 < 0))) mod
+        256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_1_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_1_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_1_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
       slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_1_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
       slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_1_4 + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
       slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_1_5 + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
       slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_1_6 + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
       slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_1_7 + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_8) +
-        slice0cost_pair_1_8 + slice0cost_pair_0_8 + slice0cost_single_0_8;
+        slice0cost_pair_0_8 + slice0cost_single_0_8 + slice0cost_pair_1_8 + as_number(slice0cost_negative_1_8);
       slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_9) +
-        slice0cost_pair_1_9 + slice0cost_pair_0_9 + slice0cost_single_0_9;
+        slice0cost_pair_0_9 + slice0cost_single_0_9 + slice0cost_pair_1_9 + as_number(slice0cost_negative_1_9);
       slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_10) +
-        slice0cost_pair_1_10 + slice0cost_pair_0_10 + slice0cost_single_0_10;
+        slice0cost_pair_0_10 + slice0cost_single_0_10 + slice0cost_pair_1_10 + as_number(slice0cost_negative_1_10);
       slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_11) +
-        slice0cost_pair_1_11 + slice0cost_pair_0_11 + slice0cost_single_0_11;
+        slice0cost_pair_0_11 + slice0cost_single_0_11 + slice0cost_pair_1_11 + as_number(slice0cost_negative_1_11);
       slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_12) +
-        slice0cost_pair_1_12 + slice0cost_pair_0_12 + slice0cost_single_0_12;
+        slice0cost_pair_0_12 + slice0cost_single_0_12 + slice0cost_pair_1_12 + as_number(slice0cost_negative_1_12);
       slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_13) +
-        slice0cost_pair_1_13 + slice0cost_pair_0_13 + slice0cost_single_0_13;
+        slice0cost_pair_0_13 + slice0cost_single_0_13 + slice0cost_pair_1_13 + as_number(slice0cost_negative_1_13);
       slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_14) +
-        slice0cost_pair_1_14 + slice0cost_pair_0_14 + slice0cost_single_0_14;
+        slice0cost_pair_0_14 + slice0cost_single_0_14 + slice0cost_pair_1_14 + as_number(slice0cost_negative_1_14);
       slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_15) +
-        slice0cost_pair_1_15 + slice0cost_pair_0_15 + slice0cost_single_0_15;
+        slice0cost_pair_0_15 + slice0cost_single_0_15 + slice0cost_pair_1_15 + as_number(slice0cost_negative_1_15);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
@@ -962,100 +875,141 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_1;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
+      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_11, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_9, 13))))) < 0;
+      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_15, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_13, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
+      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
+      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
+      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
+      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
+      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
+      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
+      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
+      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
+      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
+      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
+      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
+      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
+      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
+      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
+        slice0winner1_pair_index_0_4;
+      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
+        slice0winner1_pair_index_0_6;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 13)))) or (to_unsigned(slice0winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 13)))) or (to_unsigned(slice0winner1_of_four_0_5, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 13))));
+      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_11, 13)))) or (to_unsigned(slice0winner1_of_four_0_9, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_8, 13))));
+      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_15, 13)))) or (to_unsigned(slice0winner1_of_four_0_13, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_12, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
+      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
+      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
+      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
+      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
+      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      -- slice0winner4
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner3_best_cost_0_1 <
-        slice0winner3_best_cost_0_0 else slice0winner3_best_index_0_0;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when
+        (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 13)) or (to_unsigned(slice0winner2_of_pair_0_3, 13)))) -
+        to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 13)) or (to_unsigned(slice0winner2_of_pair_0_1, 13))))) < 0
+        else slice0winner2_pair_index_0_0;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
+      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0
-      slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
-      slice0_best_tag_valid <= slice0winner4_tag_valid;
-      slice0_best_tag_output_column <= slice0winner4_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 66;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1104,22 +1058,30 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_slice4: 96x64, 16 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_slice4: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 5, slice_disparities 4.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_slice4
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_slice4 is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 16;
-    flush_groups : positive := 193;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 17;
+    flush_groups : positive := 641;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_slice4 is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_slice4: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_slice4: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_slice4: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_slice4: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_slice4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_slice4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_slice4: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 16 report "stereo_core_study_slice4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
-  assert flush_groups = 193 report "stereo_core_study_slice4: flush_groups is " & integer'image(flush_groups) & " but this core has 193" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_slice4: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 17 report "stereo_core_study_slice4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
+  assert flush_groups = 641 report "stereo_core_study_slice4: flush_groups is " & integer'image(flush_groups) & " but this core has 641" severity failure;
   assert gap_groups = 0 report "stereo_core_study_slice4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_slice4 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_slice4 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,13 +92,14 @@ architecture rtl of stereo_core_study_slice4 is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
   signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
@@ -112,7 +111,7 @@ architecture rtl of stereo_core_study_slice4 is
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
   signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 255;
   signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
   signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
@@ -141,47 +140,47 @@ architecture rtl of stereo_core_study_slice4 is
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
   signal slice0cost_difference_3_3, slice0cost_difference_4_0, slice0cost_difference_4_1 : integer range -255 to 255;
   signal slice0cost_difference_4_2, slice0cost_difference_4_3 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_1_0, slice0cost_reverse_1_1 : natural range 0 to 255;
-  signal slice0cost_reverse_1_2, slice0cost_reverse_1_3, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_pair_tag_valid : boolean;
   signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_0_3 : natural range 0 to 1278;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_0_3 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_3 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_3 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_3 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_3 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_3 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_3 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_3 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_3 : natural range 0 to 5116;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_start_of_frame : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_0_3 : natural range 0 to 6390;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_0_3 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_start_of_frame : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_four_0_0, slice0winner1_of_four_0_1 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0 : natural range 0 to 8191;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -204,37 +203,38 @@ architecture rtl of stereo_core_study_slice4 is
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
   signal slice1cost_difference_3_3, slice1cost_difference_4_0, slice1cost_difference_4_1 : integer range -255 to 255;
   signal slice1cost_difference_4_2, slice1cost_difference_4_3 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_1_0, slice1cost_reverse_1_1 : natural range 0 to 255;
-  signal slice1cost_reverse_1_2, slice1cost_reverse_1_3, slice1cost_single_0_0 : natural range 0 to 255;
-  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
   signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
-  signal slice1cost_column_0_3 : natural range 0 to 1278;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_3 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
+  signal slice1cost_column_0_3 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_3 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_3 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_3 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_3 : natural range 0 to 5112;
-  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
-  signal slice1window_sum_0_3 : natural range 0 to 6390;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_3 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_3 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_3 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_3 : natural range 0 to 5116;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
+  signal slice1window_sum_0_3 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_four_0_0, slice1winner1_of_four_0_1 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 6390;
+  signal slice1_best_cost_0_0 : natural range 0 to 8191;
   signal slice1_best_index_0_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -257,37 +257,38 @@ architecture rtl of stereo_core_study_slice4 is
   signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_3_2 : integer range -255 to 255;
   signal slice2cost_difference_3_3, slice2cost_difference_4_0, slice2cost_difference_4_1 : integer range -255 to 255;
   signal slice2cost_difference_4_2, slice2cost_difference_4_3 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_0_2 : natural range 0 to 255;
-  signal slice2cost_reverse_0_3, slice2cost_reverse_1_0, slice2cost_reverse_1_1 : natural range 0 to 255;
-  signal slice2cost_reverse_1_2, slice2cost_reverse_1_3, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_0_2, slice2cost_single_0_3 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_0_2, slice2cost_pair_0_3 : natural range 0 to 511;
   signal slice2cost_pair_1_0, slice2cost_pair_1_1, slice2cost_pair_1_2, slice2cost_pair_1_3 : natural range 0 to 511;
   signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_0_2, slice2cost_negative_0_3 : boolean;
+  signal slice2cost_negative_1_0, slice2cost_negative_1_1, slice2cost_negative_1_2, slice2cost_negative_1_3 : boolean;
   signal slice2cost_tag_border_column : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 1278;
-  signal slice2cost_column_0_3 : natural range 0 to 1278;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_0_2 : natural range 0 to 255;
+  signal slice2cost_single_0_3 : natural range 0 to 255;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_0_2 : natural range 0 to 1279;
+  signal slice2cost_column_0_3 : natural range 0 to 1279;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice2window_partial_0_0_3 : natural range 0 to 1278;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice2window_partial_0_1_3 : natural range 0 to 2556;
-  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1, slice2window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice2window_partial_0_2_3 : natural range 0 to 3834;
-  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1, slice2window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice2window_partial_0_3_3 : natural range 0 to 5112;
-  signal slice2window_centre_output_column_0, slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 6390;
-  signal slice2window_sum_0_3 : natural range 0 to 6390;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice2window_partial_0_0_3 : natural range 0 to 1279;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice2window_partial_0_1_3 : natural range 0 to 2558;
+  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1, slice2window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice2window_partial_0_2_3 : natural range 0 to 3837;
+  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1, slice2window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice2window_partial_0_3_3 : natural range 0 to 5116;
+  signal slice2window_centre_output_column_0, slice2window_centre_start_of_frame_0 : boolean;
+  signal slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_0_2 : natural range 0 to 6395;
+  signal slice2window_sum_0_3 : natural range 0 to 6395;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice2winner1_best_index_0_0 : boolean;
-  signal slice2winner1_best_index_0_1 : natural range 0 to 3;
-  -- slice2winner2
-  signal slice2winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice2winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice2winner1_of_pair_0_3, slice2winner1_of_four_0_0, slice2winner1_of_four_0_1 : natural range 0 to 6395;
+  signal slice2winner1_of_four_0_2, slice2winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice2winner1_pair_index_0_0 : boolean;
+  signal slice2winner1_pair_index_0_1, slice2winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice2winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice2
-  signal slice2_best_cost_0_0 : natural range 0 to 6390;
+  signal slice2_best_cost_0_0 : natural range 0 to 8191;
   signal slice2_best_index_0_0 : natural range 0 to 15;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
@@ -309,34 +310,35 @@ architecture rtl of stereo_core_study_slice4 is
   signal slice3cost_difference_3_0, slice3cost_difference_3_1, slice3cost_difference_3_2 : integer range -255 to 255;
   signal slice3cost_difference_3_3, slice3cost_difference_4_0, slice3cost_difference_4_1 : integer range -255 to 255;
   signal slice3cost_difference_4_2, slice3cost_difference_4_3 : integer range -255 to 255;
-  signal slice3cost_reverse_0_0, slice3cost_reverse_0_1, slice3cost_reverse_0_2 : natural range 0 to 255;
-  signal slice3cost_reverse_0_3, slice3cost_reverse_1_0, slice3cost_reverse_1_1 : natural range 0 to 255;
-  signal slice3cost_reverse_1_2, slice3cost_reverse_1_3, slice3cost_single_0_0 : natural range 0 to 255;
-  signal slice3cost_single_0_1, slice3cost_single_0_2, slice3cost_single_0_3 : natural range 0 to 255;
   signal slice3cost_pair_0_0, slice3cost_pair_0_1, slice3cost_pair_0_2, slice3cost_pair_0_3 : natural range 0 to 511;
   signal slice3cost_pair_1_0, slice3cost_pair_1_1, slice3cost_pair_1_2, slice3cost_pair_1_3 : natural range 0 to 511;
   signal slice3cost_negative_0_0, slice3cost_negative_0_1, slice3cost_negative_0_2, slice3cost_negative_0_3 : boolean;
-  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 1278;
-  signal slice3cost_column_0_3 : natural range 0 to 1278;
+  signal slice3cost_negative_1_0, slice3cost_negative_1_1, slice3cost_negative_1_2, slice3cost_negative_1_3 : boolean;
+  signal slice3cost_single_0_0, slice3cost_single_0_1, slice3cost_single_0_2 : natural range 0 to 255;
+  signal slice3cost_single_0_3 : natural range 0 to 255;
+  signal slice3cost_column_0_0, slice3cost_column_0_1, slice3cost_column_0_2 : natural range 0 to 1279;
+  signal slice3cost_column_0_3 : natural range 0 to 1279;
   -- slice3window
-  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice3window_partial_0_0_3 : natural range 0 to 1278;
-  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice3window_partial_0_1_3 : natural range 0 to 2556;
-  signal slice3window_partial_0_2_0, slice3window_partial_0_2_1, slice3window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice3window_partial_0_2_3 : natural range 0 to 3834;
-  signal slice3window_partial_0_3_0, slice3window_partial_0_3_1, slice3window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice3window_partial_0_3_3 : natural range 0 to 5112;
-  signal slice3window_centre_output_column_0, slice3window_centre_end_of_line_0 : boolean;
-  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 6390;
-  signal slice3window_sum_0_3 : natural range 0 to 6390;
+  signal slice3window_partial_0_0_0, slice3window_partial_0_0_1, slice3window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice3window_partial_0_0_3 : natural range 0 to 1279;
+  signal slice3window_partial_0_1_0, slice3window_partial_0_1_1, slice3window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice3window_partial_0_1_3 : natural range 0 to 2558;
+  signal slice3window_partial_0_2_0, slice3window_partial_0_2_1, slice3window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice3window_partial_0_2_3 : natural range 0 to 3837;
+  signal slice3window_partial_0_3_0, slice3window_partial_0_3_1, slice3window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice3window_partial_0_3_3 : natural range 0 to 5116;
+  signal slice3window_centre_output_column_0, slice3window_centre_start_of_frame_0 : boolean;
+  signal slice3window_centre_end_of_line_0 : boolean;
+  signal slice3window_sum_0_0, slice3window_sum_0_1, slice3window_sum_0_2 : natural range 0 to 6395;
+  signal slice3window_sum_0_3 : natural range 0 to 6395;
   -- slice3winner1
-  signal slice3winner1_best_cost_0_0, slice3winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice3winner1_best_index_0_0 : boolean;
-  signal slice3winner1_best_index_0_1 : natural range 0 to 3;
-  -- slice3winner2
-  signal slice3winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice3winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner1_of_pair_0_0, slice3winner1_of_pair_0_1, slice3winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice3winner1_of_pair_0_3, slice3winner1_of_four_0_0, slice3winner1_of_four_0_1 : natural range 0 to 6395;
+  signal slice3winner1_of_four_0_2, slice3winner1_of_four_0_3 : natural range 0 to 6395;
+  signal slice3winner1_pair_index_0_0 : boolean;
+  signal slice3winner1_pair_index_0_1, slice3winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice3winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice3winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice3
   signal slice3_best_index_0_0 : natural range 0 to 15;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
@@ -358,7 +360,7 @@ begin
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -366,7 +368,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -382,57 +384,41 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_0_1_is_less : boolean;
-    variable slice2winner2_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable slice3winner1_best_cost_0_0_is_less, slice3winner1_best_cost_0_1_is_less : boolean;
-    variable slice3winner2_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_2_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
+    variable slice2winner1_of_pair_0_2_is_less, slice2winner1_of_four_0_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice3winner1_of_pair_0_0_is_less : boolean;
+    variable slice3winner1_of_pair_0_2_is_less, slice3winner1_of_four_0_0_is_less : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_2_choice, slice1cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_2_choice, slice2cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice2cost_pair_1_0_choice, slice2cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice2cost_pair_1_2_choice, slice2cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_0_choice, slice3cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice3cost_pair_0_2_choice, slice3cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice3cost_pair_1_0_choice, slice3cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice3cost_pair_1_2_choice, slice3cost_pair_1_3_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 63;
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 2 when (raster_place_group = 65) and raster_features_start_of_frame else
+      raster_place_group_is_equal_3 := raster_place_group = 65;
+      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+        raster_place_group_is_equal_2 and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
       raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
         raster_place_group_choice_2;
-      raster_features_start_of_frame_choice := (raster_place_group /= 65) and raster_features_start_of_frame when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame when raster_place_group = 66 else
-        raster_features_start_of_frame_choice;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
+        raster_place_next_frame_choice;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -444,15 +430,16 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_4 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_2_is_less and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 2) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -543,22 +530,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -579,56 +550,52 @@ begin
       slice0cost_difference_4_1 <= slice0shift_search_4_1 - slice0shift_reference_4;
       slice0cost_difference_4_2 <= slice0shift_search_4_2 - slice0shift_reference_4;
       slice0cost_difference_4_3 <= slice0shift_search_4_3 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_1_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_1_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_1_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
       slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_1_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -655,46 +622,52 @@ begin
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_3_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_3_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_3_2;
       slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_3_3;
       slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      if slice0winner2_tag_valid then
-        slice0winner2_tag_output_column <= slice3window_centre_output_column_0;
-        slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-        slice0winner2_tag_end_of_line <= slice3window_centre_end_of_line_0;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 13)))) or (to_unsigned(slice0winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_four_tag_valid then
+        slice0winner1_four_tag_output_column <= slice3window_centre_output_column_0;
+        slice0winner1_four_tag_start_of_frame <= slice3window_centre_start_of_frame_0;
+        slice0winner1_four_tag_end_of_line <= slice3window_centre_end_of_line_0;
       end if;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 12;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 12;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -729,22 +702,6 @@ begin
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -765,46 +722,42 @@ begin
       slice1cost_difference_4_1 <= slice1shift_search_4_1 - slice1shift_reference_4;
       slice1cost_difference_4_2 <= slice1shift_search_4_2 - slice1shift_reference_4;
       slice1cost_difference_4_3 <= slice1shift_search_4_3 - slice1shift_reference_4;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_1_0 + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_1_1 + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
       slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_1_2 + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
       slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_1_3 + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -826,31 +779,39 @@ begin
         slice1window_partial_0_3_3 <= slice1cost_column_0_3 + slice1window_partial_0_2_3;
       end if;
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_3_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_3_2;
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_3_3;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0 + 8;
+        slice1winner1_best_index_0_0 + 8;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -889,22 +850,6 @@ begin
       slice2shift_search_out_3 <= slice2shift_search_3_0;
       slice2shift_search_out_4 <= slice2shift_search_4_0;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
-      slice2cost_pair_0_2_choice := slice2cost_reverse_0_2 when slice2cost_difference_2_2 < 0 else
-        positive_part(slice2cost_difference_2_2);
-      slice2cost_pair_0_3_choice := slice2cost_reverse_0_3 when slice2cost_difference_2_3 < 0 else
-        positive_part(slice2cost_difference_2_3);
-      slice2cost_pair_1_0_choice := slice2cost_reverse_1_0 when slice2cost_difference_4_0 < 0 else
-        positive_part(slice2cost_difference_4_0);
-      slice2cost_pair_1_1_choice := slice2cost_reverse_1_1 when slice2cost_difference_4_1 < 0 else
-        positive_part(slice2cost_difference_4_1);
-      slice2cost_pair_1_2_choice := slice2cost_reverse_1_2 when slice2cost_difference_4_2 < 0 else
-        positive_part(slice2cost_difference_4_2);
-      slice2cost_pair_1_3_choice := slice2cost_reverse_1_3 when slice2cost_difference_4_3 < 0 else
-        positive_part(slice2cost_difference_4_3);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -925,49 +870,45 @@ begin
       slice2cost_difference_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
       slice2cost_difference_4_2 <= slice2shift_search_4_2 - slice2shift_reference_4;
       slice2cost_difference_4_3 <= slice2shift_search_4_3 - slice2shift_reference_4;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_reverse_0_2 <= (slice2shift_reference_2 - slice2shift_search_2_2) mod 256;
-      slice2cost_reverse_0_3 <= (slice2shift_reference_2 - slice2shift_search_2_3) mod 256;
-      slice2cost_reverse_1_0 <= (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
-      slice2cost_reverse_1_1 <= (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
-      slice2cost_reverse_1_2 <= (slice2shift_reference_4 - slice2shift_search_4_2) mod 256;
-      slice2cost_reverse_1_3 <= (slice2shift_reference_4 - slice2shift_search_4_3) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
+      slice2cost_pair_0_0 <= folded(slice2cost_difference_2_0) + folded(slice2cost_difference_1_0) +
         as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
+      slice2cost_pair_0_1 <= folded(slice2cost_difference_2_1) + folded(slice2cost_difference_1_1) +
         as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_pair_0_2 <= slice2cost_pair_0_2_choice + folded(slice2cost_difference_1_2) +
+      slice2cost_pair_0_2 <= folded(slice2cost_difference_2_2) + folded(slice2cost_difference_1_2) +
         as_number((slice2cost_difference_1_2 < 0));
-      slice2cost_pair_0_3 <= slice2cost_pair_0_3_choice + folded(slice2cost_difference_1_3) +
+      slice2cost_pair_0_3 <= folded(slice2cost_difference_2_3) + folded(slice2cost_difference_1_3) +
         as_number((slice2cost_difference_1_3 < 0));
-      slice2cost_pair_1_0 <= slice2cost_pair_1_0_choice + folded(slice2cost_difference_3_0) +
+      slice2cost_pair_1_0 <= folded(slice2cost_difference_4_0) + folded(slice2cost_difference_3_0) +
         as_number((slice2cost_difference_3_0 < 0));
-      slice2cost_pair_1_1 <= slice2cost_pair_1_1_choice + folded(slice2cost_difference_3_1) +
+      slice2cost_pair_1_1 <= folded(slice2cost_difference_4_1) + folded(slice2cost_difference_3_1) +
         as_number((slice2cost_difference_3_1 < 0));
-      slice2cost_pair_1_2 <= slice2cost_pair_1_2_choice + folded(slice2cost_difference_3_2) +
+      slice2cost_pair_1_2 <= folded(slice2cost_difference_4_2) + folded(slice2cost_difference_3_2) +
         as_number((slice2cost_difference_3_2 < 0));
-      slice2cost_pair_1_3 <= slice2cost_pair_1_3_choice + folded(slice2cost_difference_3_3) +
+      slice2cost_pair_1_3 <= folded(slice2cost_difference_4_3) + folded(slice2cost_difference_3_3) +
         as_number((slice2cost_difference_3_3 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_0_2 <= folded(slice2cost_difference_0_2);
-      slice2cost_single_0_3 <= folded(slice2cost_difference_0_3);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_0_2 <= slice2cost_difference_0_2 < 0;
-      slice2cost_negative_0_3 <= slice2cost_difference_0_3 < 0;
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_negative_0_2 <= slice2cost_difference_2_2 < 0;
+      slice2cost_negative_0_3 <= slice2cost_difference_2_3 < 0;
+      slice2cost_negative_1_0 <= slice2cost_difference_4_0 < 0;
+      slice2cost_negative_1_1 <= slice2cost_difference_4_1 < 0;
+      slice2cost_negative_1_2 <= slice2cost_difference_4_2 < 0;
+      slice2cost_negative_1_3 <= slice2cost_difference_4_3 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_0_2 <= (folded(slice2cost_difference_0_2) + as_number((slice2cost_difference_0_2 < 0))) mod 256;
+      slice2cost_single_0_3 <= (folded(slice2cost_difference_0_3) + as_number((slice2cost_difference_0_3 < 0))) mod 256;
       slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_1_0 + slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_pair_0_0 + slice2cost_single_0_0 + slice2cost_pair_1_0 + as_number(slice2cost_negative_1_0);
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_1_1 + slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_pair_0_1 + slice2cost_single_0_1 + slice2cost_pair_1_1 + as_number(slice2cost_negative_1_1);
       slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_2) +
-        slice2cost_pair_1_2 + slice2cost_pair_0_2 + slice2cost_single_0_2;
+        slice2cost_pair_0_2 + slice2cost_single_0_2 + slice2cost_pair_1_2 + as_number(slice2cost_negative_1_2);
       slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_3) +
-        slice2cost_pair_1_3 + slice2cost_pair_0_3 + slice2cost_single_0_3;
+        slice2cost_pair_0_3 + slice2cost_single_0_3 + slice2cost_pair_1_3 + as_number(slice2cost_negative_1_3);
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_0_2 <= slice2cost_column_0_2;
@@ -986,31 +927,39 @@ begin
         slice2window_partial_0_3_3 <= slice2cost_column_0_3 + slice2window_partial_0_2_3;
       end if;
       slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
+      slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_3_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_3_1;
       slice2window_sum_0_2 <= slice2cost_column_0_2 + slice2window_partial_0_3_2;
       slice2window_sum_0_3 <= slice2cost_column_0_3 + slice2window_partial_0_3_3;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1_is_less := slice2window_sum_0_3 < slice2window_sum_0_2;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
+      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_of_pair_0_2_is_less := (slice2window_sum_0_3 - slice2window_sum_0_2) < 0;
+      slice2winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice2winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice2winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice2winner1_of_pair_0_1, 13))))) < 0;
+      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
+      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
+      slice2winner1_of_pair_0_2 <= 0 when slice2winner1_of_pair_0_2_is_less else slice2window_sum_0_2;
+      slice2winner1_of_pair_0_3 <= slice2window_sum_0_3 when slice2winner1_of_pair_0_2_is_less else 0;
+      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
+      slice2winner1_pair_index_0_1 <= 3 when slice2winner1_of_pair_0_2_is_less else 2;
+      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
+      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
+      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_0_3 <= slice2winner1_of_pair_0_3 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_four_index_0_0 <= slice2winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
+        as_number(slice2winner1_pair_index_0_0);
+      slice2winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice2winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice2winner1_of_four_0_3, 13)))) or (to_unsigned(slice2winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice2winner1_of_four_0_0, 13))));
+      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice1_best_cost_0_0 < slice2winner2_best_cost_0_0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner2_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner1_best_cost_0_0) < 0;
+      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner1_best_cost_0_0;
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0 + 4;
+        slice2winner1_best_index_0_0 + 4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1044,22 +993,6 @@ begin
       slice3shift_reference_3 <= slice2shift_reference_3;
       slice3shift_reference_4 <= slice2shift_reference_4;
       -- slice3cost
-      slice3cost_pair_0_0_choice := slice3cost_reverse_0_0 when slice3cost_difference_2_0 < 0 else
-        positive_part(slice3cost_difference_2_0);
-      slice3cost_pair_0_1_choice := slice3cost_reverse_0_1 when slice3cost_difference_2_1 < 0 else
-        positive_part(slice3cost_difference_2_1);
-      slice3cost_pair_0_2_choice := slice3cost_reverse_0_2 when slice3cost_difference_2_2 < 0 else
-        positive_part(slice3cost_difference_2_2);
-      slice3cost_pair_0_3_choice := slice3cost_reverse_0_3 when slice3cost_difference_2_3 < 0 else
-        positive_part(slice3cost_difference_2_3);
-      slice3cost_pair_1_0_choice := slice3cost_reverse_1_0 when slice3cost_difference_4_0 < 0 else
-        positive_part(slice3cost_difference_4_0);
-      slice3cost_pair_1_1_choice := slice3cost_reverse_1_1 when slice3cost_difference_4_1 < 0 else
-        positive_part(slice3cost_difference_4_1);
-      slice3cost_pair_1_2_choice := slice3cost_reverse_1_2 when slice3cost_difference_4_2 < 0 else
-        positive_part(slice3cost_difference_4_2);
-      slice3cost_pair_1_3_choice := slice3cost_reverse_1_3 when slice3cost_difference_4_3 < 0 else
-        positive_part(slice3cost_difference_4_3);
       slice3cost_difference_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_difference_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
       slice3cost_difference_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
@@ -1080,48 +1013,44 @@ begin
       slice3cost_difference_4_1 <= slice3shift_search_4_1 - slice3shift_reference_4;
       slice3cost_difference_4_2 <= slice3shift_search_4_2 - slice3shift_reference_4;
       slice3cost_difference_4_3 <= slice3shift_search_4_3 - slice3shift_reference_4;
-      slice3cost_reverse_0_0 <= (slice3shift_reference_2 - slice3shift_search_2_0) mod 256;
-      slice3cost_reverse_0_1 <= (slice3shift_reference_2 - slice3shift_search_2_1) mod 256;
-      slice3cost_reverse_0_2 <= (slice3shift_reference_2 - slice3shift_search_2_2) mod 256;
-      slice3cost_reverse_0_3 <= (slice3shift_reference_2 - slice3shift_search_2_3) mod 256;
-      slice3cost_reverse_1_0 <= (slice3shift_reference_4 - slice3shift_search_4_0) mod 256;
-      slice3cost_reverse_1_1 <= (slice3shift_reference_4 - slice3shift_search_4_1) mod 256;
-      slice3cost_reverse_1_2 <= (slice3shift_reference_4 - slice3shift_search_4_2) mod 256;
-      slice3cost_reverse_1_3 <= (slice3shift_reference_4 - slice3shift_search_4_3) mod 256;
-      slice3cost_pair_0_0 <= slice3cost_pair_0_0_choice + folded(slice3cost_difference_1_0) +
+      slice3cost_pair_0_0 <= folded(slice3cost_difference_2_0) + folded(slice3cost_difference_1_0) +
         as_number((slice3cost_difference_1_0 < 0));
-      slice3cost_pair_0_1 <= slice3cost_pair_0_1_choice + folded(slice3cost_difference_1_1) +
+      slice3cost_pair_0_1 <= folded(slice3cost_difference_2_1) + folded(slice3cost_difference_1_1) +
         as_number((slice3cost_difference_1_1 < 0));
-      slice3cost_pair_0_2 <= slice3cost_pair_0_2_choice + folded(slice3cost_difference_1_2) +
+      slice3cost_pair_0_2 <= folded(slice3cost_difference_2_2) + folded(slice3cost_difference_1_2) +
         as_number((slice3cost_difference_1_2 < 0));
-      slice3cost_pair_0_3 <= slice3cost_pair_0_3_choice + folded(slice3cost_difference_1_3) +
+      slice3cost_pair_0_3 <= folded(slice3cost_difference_2_3) + folded(slice3cost_difference_1_3) +
         as_number((slice3cost_difference_1_3 < 0));
-      slice3cost_pair_1_0 <= slice3cost_pair_1_0_choice + folded(slice3cost_difference_3_0) +
+      slice3cost_pair_1_0 <= folded(slice3cost_difference_4_0) + folded(slice3cost_difference_3_0) +
         as_number((slice3cost_difference_3_0 < 0));
-      slice3cost_pair_1_1 <= slice3cost_pair_1_1_choice + folded(slice3cost_difference_3_1) +
+      slice3cost_pair_1_1 <= folded(slice3cost_difference_4_1) + folded(slice3cost_difference_3_1) +
         as_number((slice3cost_difference_3_1 < 0));
-      slice3cost_pair_1_2 <= slice3cost_pair_1_2_choice + folded(slice3cost_difference_3_2) +
+      slice3cost_pair_1_2 <= folded(slice3cost_difference_4_2) + folded(slice3cost_difference_3_2) +
         as_number((slice3cost_difference_3_2 < 0));
-      slice3cost_pair_1_3 <= slice3cost_pair_1_3_choice + folded(slice3cost_difference_3_3) +
+      slice3cost_pair_1_3 <= folded(slice3cost_difference_4_3) + folded(slice3cost_difference_3_3) +
         as_number((slice3cost_difference_3_3 < 0));
-      slice3cost_single_0_0 <= folded(slice3cost_difference_0_0);
-      slice3cost_single_0_1 <= folded(slice3cost_difference_0_1);
-      slice3cost_single_0_2 <= folded(slice3cost_difference_0_2);
-      slice3cost_single_0_3 <= folded(slice3cost_difference_0_3);
-      slice3cost_negative_0_0 <= slice3cost_difference_0_0 < 0;
-      slice3cost_negative_0_1 <= slice3cost_difference_0_1 < 0;
-      slice3cost_negative_0_2 <= slice3cost_difference_0_2 < 0;
-      slice3cost_negative_0_3 <= slice3cost_difference_0_3 < 0;
+      slice3cost_negative_0_0 <= slice3cost_difference_2_0 < 0;
+      slice3cost_negative_0_1 <= slice3cost_difference_2_1 < 0;
+      slice3cost_negative_0_2 <= slice3cost_difference_2_2 < 0;
+      slice3cost_negative_0_3 <= slice3cost_difference_2_3 < 0;
+      slice3cost_negative_1_0 <= slice3cost_difference_4_0 < 0;
+      slice3cost_negative_1_1 <= slice3cost_difference_4_1 < 0;
+      slice3cost_negative_1_2 <= slice3cost_difference_4_2 < 0;
+      slice3cost_negative_1_3 <= slice3cost_difference_4_3 < 0;
+      slice3cost_single_0_0 <= (folded(slice3cost_difference_0_0) + as_number((slice3cost_difference_0_0 < 0))) mod 256;
+      slice3cost_single_0_1 <= (folded(slice3cost_difference_0_1) + as_number((slice3cost_difference_0_1 < 0))) mod 256;
+      slice3cost_single_0_2 <= (folded(slice3cost_difference_0_2) + as_number((slice3cost_difference_0_2 < 0))) mod 256;
+      slice3cost_single_0_3 <= (folded(slice3cost_difference_0_3) + as_number((slice3cost_difference_0_3 < 0))) mod 256;
       slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_0) +
-        slice3cost_pair_1_0 + slice3cost_pair_0_0 + slice3cost_single_0_0;
+        slice3cost_pair_0_0 + slice3cost_single_0_0 + slice3cost_pair_1_0 + as_number(slice3cost_negative_1_0);
       slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_1) +
-        slice3cost_pair_1_1 + slice3cost_pair_0_1 + slice3cost_single_0_1;
+        slice3cost_pair_0_1 + slice3cost_single_0_1 + slice3cost_pair_1_1 + as_number(slice3cost_negative_1_1);
       slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_2) +
-        slice3cost_pair_1_2 + slice3cost_pair_0_2 + slice3cost_single_0_2;
+        slice3cost_pair_0_2 + slice3cost_single_0_2 + slice3cost_pair_1_2 + as_number(slice3cost_negative_1_2);
       slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else as_number(slice3cost_negative_0_3) +
-        slice3cost_pair_1_3 + slice3cost_pair_0_3 + slice3cost_single_0_3;
+        slice3cost_pair_0_3 + slice3cost_single_0_3 + slice3cost_pair_1_3 + as_number(slice3cost_negative_1_3);
       -- slice3window
-      if slice0winner2_tag_valid then
+      if slice0winner1_four_tag_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
         slice3window_partial_0_0_1 <= slice3cost_column_0_1;
         slice3window_partial_0_0_2 <= slice3cost_column_0_2;
@@ -1139,6 +1068,7 @@ begin
         slice3window_partial_0_3_2 <= slice3cost_column_0_2 + slice3window_partial_0_2_2;
         slice3window_partial_0_3_3 <= slice3cost_column_0_3 + slice3window_partial_0_2_3;
         slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
+        slice3window_centre_start_of_frame_0 <= slice2window_centre_start_of_frame_0;
         slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
       end if;
       slice3window_sum_0_0 <= slice3cost_column_0_0 + slice3window_partial_0_3_0;
@@ -1146,32 +1076,39 @@ begin
       slice3window_sum_0_2 <= slice3cost_column_0_2 + slice3window_partial_0_3_2;
       slice3window_sum_0_3 <= slice3cost_column_0_3 + slice3window_partial_0_3_3;
       -- slice3winner1
-      slice3winner1_best_cost_0_0_is_less := slice3window_sum_0_1 < slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1_is_less := slice3window_sum_0_3 < slice3window_sum_0_2;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      -- slice3winner2
-      slice3winner2_best_cost_0_0_is_less := slice3winner1_best_cost_0_1 < slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
+      slice3winner1_of_pair_0_0_is_less := (slice3window_sum_0_1 - slice3window_sum_0_0) < 0;
+      slice3winner1_of_pair_0_2_is_less := (slice3window_sum_0_3 - slice3window_sum_0_2) < 0;
+      slice3winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice3winner1_of_pair_0_2, 13)) or
+        (to_unsigned(slice3winner1_of_pair_0_3, 13)))) - to_integer(((to_unsigned(slice3winner1_of_pair_0_0, 13)) or
+        (to_unsigned(slice3winner1_of_pair_0_1, 13))))) < 0;
+      slice3winner1_of_pair_0_0 <= 0 when slice3winner1_of_pair_0_0_is_less else slice3window_sum_0_0;
+      slice3winner1_of_pair_0_1 <= slice3window_sum_0_1 when slice3winner1_of_pair_0_0_is_less else 0;
+      slice3winner1_of_pair_0_2 <= 0 when slice3winner1_of_pair_0_2_is_less else slice3window_sum_0_2;
+      slice3winner1_of_pair_0_3 <= slice3window_sum_0_3 when slice3winner1_of_pair_0_2_is_less else 0;
+      slice3winner1_pair_index_0_0 <= slice3winner1_of_pair_0_0_is_less;
+      slice3winner1_pair_index_0_1 <= 3 when slice3winner1_of_pair_0_2_is_less else 2;
+      slice3winner1_of_four_0_0 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_0;
+      slice3winner1_of_four_0_1 <= 0 when slice3winner1_of_four_0_0_is_less else slice3winner1_of_pair_0_1;
+      slice3winner1_of_four_0_2 <= slice3winner1_of_pair_0_2 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_of_four_0_3 <= slice3winner1_of_pair_0_3 when slice3winner1_of_four_0_0_is_less else 0;
+      slice3winner1_four_index_0_0 <= slice3winner1_pair_index_0_1 when slice3winner1_of_four_0_0_is_less else
+        as_number(slice3winner1_pair_index_0_0);
+      slice3winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice3winner1_of_four_0_2, 13)) or
+        (to_unsigned(slice3winner1_of_four_0_3, 13)))) or (to_unsigned(slice3winner1_of_four_0_1, 13)))) or
+        (to_unsigned(slice3winner1_of_four_0_0, 13))));
+      slice3winner1_best_index_0_0 <= slice3winner1_four_index_0_0;
       -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice2_best_cost_0_0 < slice3winner2_best_cost_0_0 else
-        slice3winner2_best_index_0_0;
+      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner1_best_cost_0_0) < 0 else
+        slice3winner1_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 66;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1212,33 +1149,37 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
+        slice0winner1_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
         slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
         slice2window_centre_output_column_0 <= false;
+        slice2window_centre_start_of_frame_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;
         slice2_best_tag_start_of_frame <= false;
         slice2_best_tag_end_of_line <= false;
         slice3window_centre_output_column_0 <= false;
+        slice3window_centre_start_of_frame_0 <= false;
         slice3window_centre_end_of_line_0 <= false;
         slice3_best_tag_valid <= false;
         slice3_best_tag_output_column <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_subpixel: 96x64, 16 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_subpixel: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 5, subpixel true, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_subpixel
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_subpixel is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 26;
-    flush_groups : positive := 193;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 28;
+    flush_groups : positive := 641;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_subpixel is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_subpixel: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_subpixel: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_subpixel: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_subpixel: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_subpixel: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_study_subpixel: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_subpixel: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 26 report "stereo_core_study_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
-  assert flush_groups = 193 report "stereo_core_study_subpixel: flush_groups is " & integer'image(flush_groups) & " but this core has 193" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_subpixel: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 28 report "stereo_core_study_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
+  assert flush_groups = 641 report "stereo_core_study_subpixel: flush_groups is " & integer'image(flush_groups) & " but this core has 641" severity failure;
   assert gap_groups = 0 report "stereo_core_study_subpixel: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_subpixel is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_subpixel is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,16 +92,17 @@ architecture rtl of stereo_core_study_subpixel is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
-  signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
-  signal delay_tag_end_of_line : boolean;
+  signal delay_tag_valid, delay_tag_newest_inside, delay_tag_border_column, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
   signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
@@ -112,11 +111,12 @@ architecture rtl of stereo_core_study_subpixel is
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 255;
   signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 255;
   signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
-  signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
-  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
-  signal rows_ready_inside_2, rows_ready_inside_3, rows_ready_inside_4, rows_ready_tag_valid : boolean;
+  signal rows_read_tag_valid, rows_read_tag_newest_inside, rows_read_tag_border_column : boolean;
+  signal rows_read_tag_output_column, rows_read_tag_start_of_frame, rows_read_tag_end_of_line : boolean;
+  signal rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2, rows_ready_inside_3 : boolean;
+  signal rows_ready_inside_4, rows_ready_tag_valid, rows_ready_tag_newest_inside : boolean;
   signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
   signal rows_ready_tag_end_of_line, rows_inside_4, rows_tag_valid, rows_tag_border_column : boolean;
   signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
@@ -138,8 +138,8 @@ architecture rtl of stereo_core_study_subpixel is
   signal slice0shift_reference_2, slice0shift_reference_3, slice0shift_reference_4 : natural range 0 to 255;
   signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
   signal slice0shift_search_out_3, slice0shift_search_out_4 : natural range 0 to 255;
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
   signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_0_5 : integer range -255 to 255;
@@ -155,84 +155,81 @@ architecture rtl of stereo_core_study_subpixel is
   signal slice0cost_difference_4_1, slice0cost_difference_4_2, slice0cost_difference_4_3 : integer range -255 to 255;
   signal slice0cost_difference_4_4, slice0cost_difference_4_5, slice0cost_difference_4_6 : integer range -255 to 255;
   signal slice0cost_difference_4_7 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_1_0 : natural range 0 to 255;
-  signal slice0cost_reverse_1_1, slice0cost_reverse_1_2, slice0cost_reverse_1_3 : natural range 0 to 255;
-  signal slice0cost_reverse_1_4, slice0cost_reverse_1_5, slice0cost_reverse_1_6 : natural range 0 to 255;
-  signal slice0cost_reverse_1_7, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
-  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
-  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_newest_inside : boolean;
+  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_negative_0_3 : boolean;
+  signal slice0cost_negative_0_4, slice0cost_negative_0_5, slice0cost_negative_0_6, slice0cost_negative_0_7 : boolean;
+  signal slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2, slice0cost_negative_1_3 : boolean;
+  signal slice0cost_negative_1_4, slice0cost_negative_1_5, slice0cost_negative_1_6, slice0cost_negative_1_7 : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_newest_inside, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
   signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 511;
   signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1278;
-  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 1278;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 1279;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 5116;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6390;
-  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 6390;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 6395;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_below_0_2, slice0winner1_best_below_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_first_0_0, slice0winner1_best_first_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_first_0_2, slice0winner1_best_first_0_3 : natural range 0 to 6390;
-  signal slice0winner1_best_last_0_0, slice0winner1_best_last_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_last_0_2 : natural range 0 to 6390;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 6395;
+  signal slice0winner1_best_below_0_0, slice0winner1_best_below_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_below_0_2, slice0winner1_best_below_0_3 : natural range 0 to 6395;
+  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_above_0_2, slice0winner1_best_above_0_3 : natural range 0 to 6395;
+  signal slice0winner1_best_first_0_0, slice0winner1_best_first_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_first_0_2, slice0winner1_best_first_0_3 : natural range 0 to 6395;
+  signal slice0winner1_best_last_0_0, slice0winner1_best_last_0_1 : natural range 0 to 6395;
+  signal slice0winner1_best_last_0_2 : natural range 0 to 6395;
   signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
   signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
   signal slice0winner1_best_index_0_1 : natural range 0 to 3;
   signal slice0winner1_best_index_0_2 : natural range 0 to 5;
   signal slice0winner1_best_index_0_3 : natural range 0 to 7;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_first_0_0, slice0winner2_best_first_0_1 : natural range 0 to 6390;
-  signal slice0winner2_best_last_0_0 : natural range 0 to 6390;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 6395;
+  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 6395;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 6395;
+  signal slice0winner2_best_first_0_0, slice0winner2_best_first_0_1 : natural range 0 to 6395;
+  signal slice0winner2_best_last_0_0 : natural range 0 to 6395;
   signal slice0winner2_best_index_0_0 : natural range 0 to 3;
   signal slice0winner2_best_index_0_1 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 6390;
-  signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 6390;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 6395;
+  signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 6395;
   signal slice0winner3_best_index_0_0 : natural range 0 to 7;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 6390;
-  signal slice0_best_first_0_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 6395;
+  signal slice0_best_first_0_0 : natural range 0 to 6395;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -267,69 +264,67 @@ architecture rtl of stereo_core_study_subpixel is
   signal slice1cost_difference_4_1, slice1cost_difference_4_2, slice1cost_difference_4_3 : integer range -255 to 255;
   signal slice1cost_difference_4_4, slice1cost_difference_4_5, slice1cost_difference_4_6 : integer range -255 to 255;
   signal slice1cost_difference_4_7 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_1_0 : natural range 0 to 255;
-  signal slice1cost_reverse_1_1, slice1cost_reverse_1_2, slice1cost_reverse_1_3 : natural range 0 to 255;
-  signal slice1cost_reverse_1_4, slice1cost_reverse_1_5, slice1cost_reverse_1_6 : natural range 0 to 255;
-  signal slice1cost_reverse_1_7, slice1cost_single_0_0, slice1cost_single_0_1 : natural range 0 to 255;
-  signal slice1cost_single_0_2, slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
-  signal slice1cost_single_0_5, slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
   signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
   signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1278;
-  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 1278;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 255;
+  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 1279;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1278;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2556;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3834;
-  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5112;
-  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 5112;
-  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6390;
-  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 6390;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 1279;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 2558;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 3837;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 5116;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 5116;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 6395;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 6390;
-  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_below_0_2, slice1winner1_best_below_0_3 : natural range 0 to 6390;
-  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 6390;
-  signal slice1winner1_best_first_0_1, slice1winner1_best_first_0_2 : natural range 0 to 6390;
-  signal slice1winner1_best_first_0_3, slice1winner1_best_last_0_0 : natural range 0 to 6390;
-  signal slice1winner1_best_last_0_1, slice1winner1_best_last_0_2 : natural range 0 to 6390;
-  signal slice1winner1_best_last_0_3 : natural range 0 to 6390;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6395;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 6395;
+  signal slice1winner1_best_below_0_0, slice1winner1_best_below_0_1 : natural range 0 to 6395;
+  signal slice1winner1_best_below_0_2, slice1winner1_best_below_0_3 : natural range 0 to 6395;
+  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 6395;
+  signal slice1winner1_best_above_0_2, slice1winner1_best_above_0_3 : natural range 0 to 6395;
+  signal slice1winner1_best_first_0_1, slice1winner1_best_first_0_2 : natural range 0 to 6395;
+  signal slice1winner1_best_first_0_3, slice1winner1_best_last_0_0 : natural range 0 to 6395;
+  signal slice1winner1_best_last_0_1, slice1winner1_best_last_0_2 : natural range 0 to 6395;
+  signal slice1winner1_best_last_0_3 : natural range 0 to 6395;
   signal slice1winner1_best_index_0_0 : boolean;
   signal slice1winner1_best_index_0_1 : natural range 0 to 3;
   signal slice1winner1_best_index_0_2 : natural range 0 to 5;
   signal slice1winner1_best_index_0_3 : natural range 0 to 7;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 6390;
-  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 6390;
-  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 6390;
-  signal slice1winner2_best_last_0_1 : natural range 0 to 6390;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 6395;
+  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 6395;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 6395;
+  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 6395;
+  signal slice1winner2_best_last_0_1 : natural range 0 to 6395;
   signal slice1winner2_best_index_0_0 : natural range 0 to 3;
   signal slice1winner2_best_index_0_1 : natural range 0 to 7;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 6390;
-  signal slice1winner3_best_above_0_0, slice1winner3_best_last_0_0 : natural range 0 to 6390;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 6395;
+  signal slice1winner3_best_above_0_0, slice1winner3_best_last_0_0 : natural range 0 to 6395;
   signal slice1winner3_best_index_0_0 : natural range 0 to 7;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 6390;
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 6395;
   signal slice1_best_index_0_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -337,10 +332,9 @@ architecture rtl of stereo_core_study_subpixel is
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 15;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 15;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 15;
-  signal refinement_disparity_9_0, refinement_quotient_4_0 : natural range 0 to 15;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 15;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
-  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
   signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
   signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
   signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
@@ -353,27 +347,33 @@ architecture rtl of stereo_core_study_subpixel is
   signal refinement_tag_7_output_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
   signal refinement_tag_8_valid, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
   signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_output_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_quotient_1_0 : boolean;
-  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
-  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
-  signal refinement_negative_8_0 : boolean;
-  signal refinement_remainder_0_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 8191;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_output_column, refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line : boolean;
+  signal refinement_tag_11_valid, refinement_tag_11_output_column, refinement_tag_11_start_of_frame : boolean;
+  signal refinement_tag_11_end_of_line, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 6395;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 8191;
   signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 8191;
   signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 8191;
   signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 8191;
   signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 8191;
   signal refinement_divisor_7_0 : natural range 0 to 8191;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_3_0 : natural range 0 to 7;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_6_0 : natural range 0 to 63;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_difference_0 : integer range -6395 to 6395;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
   signal map_out_disparity_0 : natural range 0 to 65535;
-  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0, other_1 : boolean;
+  signal other_0 : natural range 0 to 254;
+  signal other_1 : natural range 0 to 252;
+  signal other_2 : natural range 0 to 248;
+  signal other_3 : natural range 0 to 240;
+  signal other_4 : natural range 0 to 224;
+  signal other_5 : natural range 0 to 192;
+  signal other_6 : natural range 0 to 128;
+  signal other_7, other_8 : boolean;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
@@ -384,14 +384,14 @@ begin
   in_left_pixel <= to_integer(unsigned(left_pixel));
   in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(slice0cost_pair_tag_newest_inside), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -399,7 +399,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -415,7 +415,7 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
     variable delay_row_inside_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
     variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
     variable slice0winner1_best_cost_0_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
@@ -424,70 +424,50 @@ begin
     variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
     variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
     variable slice1winner3_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_1_0_is_not_less : boolean;
-    variable refinement_remainder_2_0_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
-    variable refinement_remainder_4_0_is_not_less, refinement_remainder_5_0_is_not_less : boolean;
-    variable refinement_remainder_6_0_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
+    variable refinement_divisor_0_0_is_less : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_4_choice, slice0cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_6_choice, slice0cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_2_choice, slice1cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_4_choice, slice1cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_6_choice, slice1cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_4_choice, slice1cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_6_choice, slice1cost_pair_1_7_choice : natural range 0 to 255;
-    variable refinement_fraction_0_choice : natural range 0 to 255;
-    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_below_0_1_choice : natural range 0 to 6390;
-    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 6390;
-    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 6390;
-    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_below_0_1_choice : natural range 0 to 6390;
-    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 6390;
-    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 6390;
-    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 6390;
-    variable refinement_remainder_0_0_choice, refinement_remainder_0_0_choice_2 : natural range 0 to 6390;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_value_2 : natural range 0 to 8191;
-    variable refinement_remainder_0_0_choice_3, refinement_remainder_0_0_choice_4 : natural range 0 to 8191;
-    variable refinement_remainder_1_0_choice, refinement_remainder_2_0_choice : natural range 0 to 8191;
-    variable refinement_remainder_3_0_choice, refinement_remainder_4_0_choice : natural range 0 to 8191;
-    variable refinement_remainder_5_0_choice, refinement_remainder_6_0_choice : natural range 0 to 8191;
-    variable refinement_remainder_7_0_choice : natural range 0 to 8191;
+    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_below_0_1_choice : natural range 0 to 6395;
+    variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_0_1_choice : natural range 0 to 6395;
+    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 6395;
+    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_below_0_1_choice : natural range 0 to 6395;
+    variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_0_1_choice : natural range 0 to 6395;
+    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 6395;
+    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 6395;
+    variable refinement_remainder_1_0_difference : natural range 8193 to 22779;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 8193 to 32766;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 8193 to 32766;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 8193 to 32766;
+    variable refinement_divisor_0_0_choice : natural range 0 to 8191;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 63;
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 2 when (raster_place_group = 65) and raster_features_start_of_frame else
+      raster_place_group_is_equal_3 := raster_place_group = 65;
+      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+        raster_place_group_is_equal_2 and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
       raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
         raster_place_group_choice_2;
-      raster_features_start_of_frame_choice := (raster_place_group /= 65) and raster_features_start_of_frame when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame when raster_place_group = 66 else
-        raster_features_start_of_frame_choice;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
+        raster_place_next_frame_choice;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -499,15 +479,17 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_4 <= refinement_passed_5_0;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_2_is_less and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 2) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_newest_inside <= not ((raster_place_group / 64) = 1);
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -522,6 +504,7 @@ begin
       rows_read_inside_3 <= delay_row_inside_3;
       rows_read_inside_4 <= delay_row_inside_4;
       rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_newest_inside <= delay_tag_newest_inside;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
@@ -533,6 +516,7 @@ begin
       rows_ready_inside_3 <= rows_read_inside_3;
       rows_ready_inside_4 <= rows_read_inside_4;
       rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_newest_inside <= rows_read_tag_newest_inside;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
@@ -541,12 +525,12 @@ begin
       rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
       rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
       rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
       rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
       rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
       rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_inside_4 <= rows_ready_inside_4;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
@@ -614,43 +598,12 @@ begin
       slice0shift_search_out_3 <= slice0shift_search_3_0;
       slice0shift_search_out_4 <= slice0shift_search_4_0;
       slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_newest_inside <= rows_inside_4;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -691,96 +644,90 @@ begin
       slice0cost_difference_4_5 <= slice0shift_search_4_5 - slice0shift_reference_4;
       slice0cost_difference_4_6 <= slice0shift_search_4_6 - slice0shift_reference_4;
       slice0cost_difference_4_7 <= slice0shift_search_4_7 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_1_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_1_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_1_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
       slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_1_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
       slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_1_4 + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
       slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_1_5 + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
       slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_1_6 + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
       slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_1_7 + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -834,16 +781,15 @@ begin
       slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_3_7;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
         slice0window_tag_output_column <= slice1window_centre_output_column_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
@@ -876,15 +822,15 @@ begin
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
         slice0winner1_best_below_0_1;
       slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when slice0winner1_best_index_0_3 = 6 else
         slice0winner1_best_below_0_3;
       slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_0 else
+      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_7 else
         slice0winner1_best_above_0_2;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
@@ -910,7 +856,7 @@ begin
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner2_best_index_0_1 = 4 else
         slice0winner2_best_below_0_1;
       slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
@@ -987,38 +933,6 @@ begin
       slice1shift_reference_3 <= slice0shift_reference_3;
       slice1shift_reference_4 <= slice0shift_reference_4;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
-      slice1cost_pair_1_4_choice := slice1cost_reverse_1_4 when slice1cost_difference_4_4 < 0 else
-        positive_part(slice1cost_difference_4_4);
-      slice1cost_pair_1_5_choice := slice1cost_reverse_1_5 when slice1cost_difference_4_5 < 0 else
-        positive_part(slice1cost_difference_4_5);
-      slice1cost_pair_1_6_choice := slice1cost_reverse_1_6 when slice1cost_difference_4_6 < 0 else
-        positive_part(slice1cost_difference_4_6);
-      slice1cost_pair_1_7_choice := slice1cost_reverse_1_7 when slice1cost_difference_4_7 < 0 else
-        positive_part(slice1cost_difference_4_7);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1059,86 +973,78 @@ begin
       slice1cost_difference_4_5 <= slice1shift_search_4_5 - slice1shift_reference_4;
       slice1cost_difference_4_6 <= slice1shift_search_4_6 - slice1shift_reference_4;
       slice1cost_difference_4_7 <= slice1shift_search_4_7 - slice1shift_reference_4;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_reverse_1_4 <= (slice1shift_reference_4 - slice1shift_search_4_4) mod 256;
-      slice1cost_reverse_1_5 <= (slice1shift_reference_4 - slice1shift_search_4_5) mod 256;
-      slice1cost_reverse_1_6 <= (slice1shift_reference_4 - slice1shift_search_4_6) mod 256;
-      slice1cost_reverse_1_7 <= (slice1shift_reference_4 - slice1shift_search_4_7) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+      slice1cost_pair_0_5 <= folded(slice1cost_difference_2_5) + folded(slice1cost_difference_1_5) +
         as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+      slice1cost_pair_0_6 <= folded(slice1cost_difference_2_6) + folded(slice1cost_difference_1_6) +
         as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+      slice1cost_pair_0_7 <= folded(slice1cost_difference_2_7) + folded(slice1cost_difference_1_7) +
         as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_pair_1_4 <= slice1cost_pair_1_4_choice + folded(slice1cost_difference_3_4) +
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
         as_number((slice1cost_difference_3_4 < 0));
-      slice1cost_pair_1_5 <= slice1cost_pair_1_5_choice + folded(slice1cost_difference_3_5) +
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
         as_number((slice1cost_difference_3_5 < 0));
-      slice1cost_pair_1_6 <= slice1cost_pair_1_6_choice + folded(slice1cost_difference_3_6) +
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
         as_number((slice1cost_difference_3_6 < 0));
-      slice1cost_pair_1_7 <= slice1cost_pair_1_7_choice + folded(slice1cost_difference_3_7) +
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
         as_number((slice1cost_difference_3_7 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_2_7 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
+      slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
+      slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
+      slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
+      slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_1_0 + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_1_1 + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
       slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_1_2 + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
       slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_1_3 + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
       slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_1_4 + slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
       slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_1_5 + slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
       slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_1_6 + slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
       slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_1_7 + slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1174,6 +1080,7 @@ begin
         slice1window_partial_0_3_6 <= slice1cost_column_0_6 + slice1window_partial_0_2_6;
         slice1window_partial_0_3_7 <= slice1cost_column_0_7 + slice1window_partial_0_2_7;
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       end if;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
@@ -1185,10 +1092,10 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_3_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
@@ -1217,15 +1124,15 @@ begin
       slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
       slice1winner1_best_last_0_3 <= slice1window_sum_0_7;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
         slice1winner1_best_below_0_1;
       slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when slice1winner1_best_index_0_3 = 6 else
         slice1winner1_best_below_0_3;
       slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_1 else
+      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_8 else
         slice1winner1_best_above_0_2;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
@@ -1247,7 +1154,7 @@ begin
       slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
       slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner2_best_index_0_1 = 4 else
         slice1winner2_best_below_0_1;
       slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
@@ -1262,7 +1169,7 @@ begin
         slice1winner3_best_above_0_0_choice;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner3_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
       slice1_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice0_best_index_0_0 = 8 else
         slice0_best_below_0_0;
       slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1winner3_best_index_0_0 = 7 else
@@ -1279,31 +1186,15 @@ begin
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       -- refinement
-      refinement_remainder_0_0_choice := slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else
-        slice1_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice1_best_cost_0_0) mod 8192;
-      refinement_remainder_0_0_choice_2 := slice1_best_below_0_0 when slice1_best_index_0_0 = 15 else
-        slice1_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice1_best_cost_0_0) mod 8192;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_1_0_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when refinement_remainder_1_0_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 16384) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 16384) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 16384) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 16384) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 16384) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 16384) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 16384) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1326,15 +1217,14 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
       refinement_passed_3_0 <= refinement_passed_2_0;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
-      refinement_passed_6_0 <= not ((raster_place_group / 64) = 1);
-      refinement_passed_7_0 <= refinement_passed_6_0;
-      refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_tag_0_valid <= slice1_best_tag_valid;
       refinement_tag_0_output_column <= slice1_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1375,16 +1265,37 @@ begin
       refinement_tag_9_output_column <= refinement_tag_8_output_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 8192;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 8192;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 4096) * 2) - refinement_remainder_2_0_choice) mod
-        8192;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 8192;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 8192;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 8192;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 8192;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 8192;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice1_best_cost_0_0;
+      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
+      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 15 else slice1_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 8192;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 8192;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 8192 when
+        (refinement_remainder_1_0_difference / 16384) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 8192 when
+        (refinement_remainder_2_0_difference / 16384) = 1 else (refinement_remainder_1_0 mod 4096) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 8192 when
+        (refinement_remainder_3_0_difference / 16384) = 1 else (refinement_remainder_2_0 mod 4096) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 8192 when
+        (refinement_remainder_4_0_difference / 16384) = 1 else (refinement_remainder_3_0 mod 4096) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 8192 when
+        (refinement_remainder_5_0_difference / 16384) = 1 else (refinement_remainder_4_0 mod 4096) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 8192 when
+        (refinement_remainder_6_0_difference / 16384) = 1 else (refinement_remainder_5_0 mod 4096) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 8192 when
+        (refinement_remainder_7_0_difference / 16384) = 1 else (refinement_remainder_6_0 mod 4096) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 13)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 13))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -1392,17 +1303,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_1_0 <= refinement_remainder_1_0_is_not_less;
-      refinement_quotient_2_0 <= (as_number(refinement_quotient_1_0) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_quotient_8_0 <= (((((16384 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 16384) +
+        ((other_0 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -1413,21 +1316,28 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_passed_0 <= rows_inside_4;
-      map_out_valid <= refinement_tag_9_valid and refinement_tag_9_output_column;
-      map_out_start_of_frame <= refinement_tag_9_start_of_frame and refinement_tag_9_valid and
-        refinement_tag_9_output_column;
-      map_out_end_of_line <= refinement_tag_9_end_of_line and refinement_tag_9_valid and refinement_tag_9_output_column;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
       -- other
-      other_0 <= slice0winner1_best_cost_0_2_is_less;
-      other_1 <= slice1winner1_best_cost_0_2_is_less;
+      other_0 <= ((refinement_remainder_7_0_difference / 16384) * 2) + ((other_1 / 4) * 4);
+      other_1 <= ((refinement_remainder_6_0_difference / 16384) * 4) + ((other_2 / 8) * 8);
+      other_2 <= ((refinement_remainder_5_0_difference / 16384) * 8) + ((other_3 / 16) * 16);
+      other_3 <= ((refinement_remainder_4_0_difference / 16384) * 16) + ((other_4 / 32) * 32);
+      other_4 <= ((refinement_remainder_3_0_difference / 16384) * 32) + ((other_5 / 64) * 64);
+      other_5 <= ((refinement_remainder_2_0_difference / 16384) * 64) + ((other_6 / 128) * 128);
+      other_6 <= (refinement_remainder_1_0_difference / 16384) * 128;
+      other_7 <= slice0winner1_best_cost_0_2_is_less;
+      other_8 <= slice1winner1_best_cost_0_2_is_less;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 66;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1468,7 +1378,6 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
@@ -1491,6 +1400,7 @@ begin
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
         slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
@@ -1536,6 +1446,14 @@ begin
         refinement_tag_9_output_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;

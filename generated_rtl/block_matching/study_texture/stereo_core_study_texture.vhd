@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_texture: 96x64, 16 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_texture: 320x64, 16 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 5, prefilter xsobel, texture_threshold 60, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_texture
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_texture is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 21;
-    flush_groups : positive := 290;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 23;
+    flush_groups : positive := 962;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_texture is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_texture: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_texture: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_texture: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_texture: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_texture: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_texture: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_texture: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 21 report "stereo_core_study_texture: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
-  assert flush_groups = 290 report "stereo_core_study_texture: flush_groups is " & integer'image(flush_groups) & " but this core has 290" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_texture: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 23 report "stereo_core_study_texture: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
+  assert flush_groups = 962 report "stereo_core_study_texture: flush_groups is " & integer'image(flush_groups) & " but this core has 962" severity failure;
   assert gap_groups = 0 report "stereo_core_study_texture: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_texture is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_study_texture is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -104,41 +102,43 @@ architecture rtl of stereo_core_study_texture is
   signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
   signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
   signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
-  signal transform_counter_column, transform_counter_group, transform_read_column : natural range 0 to 127;
-  signal transform_ready_column, transform_write_column : natural range 0 to 127;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 511;
+  signal transform_write_column : natural range 0 to 511;
+  signal transform_counter_group, transform_left_filter_feature_0 : natural range 0 to 127;
+  signal transform_right_filter_feature_0 : natural range 0 to 127;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
   signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 65535;
   signal transform_right_rows_ready_words_0, transform_right_rows_write_words_0 : natural range 0 to 65535;
   signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
   signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
   signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
-  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 63;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 63;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_search_0, raster_features_reference_0, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
-  signal delay_ahead_0 : natural range 0 to 63;
-  signal delay_delayed_0 : unsigned(5 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_delayed_0 : unsigned(6 downto 0);
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
   signal delay_tag_valid, delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0 : unsigned(26 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 63;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_3 : natural range 0 to 63;
-  signal rows_search_4, rows_reference_4 : natural range 0 to 63;
-  signal rows_search_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 134217727;
-  signal rows_search_rows_write_words_0 : natural range 0 to 133169151;
-  signal rows_reference_rows_read_words_0 : unsigned(27 downto 0);
-  signal rows_reference_rows_ready_words_0 : natural range 0 to 268435455;
-  signal rows_read_column, rows_ready_column, rows_write_column, rows_search_0, rows_search_1 : natural range 0 to 127;
-  signal rows_search_2, rows_reference_0, rows_reference_1, rows_reference_2, rows_reference_3 : natural range 0 to 127;
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 127;
+  signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 127;
+  signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
   signal rows_read_tag_valid, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
   signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
@@ -156,16 +156,15 @@ architecture rtl of stereo_core_study_texture is
   signal slice0shift_search_1_7, slice0shift_search_2_0, slice0shift_search_2_1 : natural range 0 to 127;
   signal slice0shift_search_2_2, slice0shift_search_2_3, slice0shift_search_2_4 : natural range 0 to 127;
   signal slice0shift_search_2_5, slice0shift_search_2_6, slice0shift_search_2_7 : natural range 0 to 127;
-  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 127;
-  signal slice0shift_reference_3, slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 127;
-  signal slice0shift_search_out_2 : natural range 0 to 127;
-  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 63;
-  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 63;
-  signal slice0shift_search_3_6, slice0shift_search_3_7, slice0shift_search_4_0 : natural range 0 to 63;
-  signal slice0shift_search_4_1, slice0shift_search_4_2, slice0shift_search_4_3 : natural range 0 to 63;
-  signal slice0shift_search_4_4, slice0shift_search_4_5, slice0shift_search_4_6 : natural range 0 to 63;
-  signal slice0shift_search_4_7, slice0shift_reference_4, slice0shift_search_out_3 : natural range 0 to 63;
-  signal slice0shift_search_out_4 : natural range 0 to 63;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 127;
+  signal slice0shift_search_3_3, slice0shift_search_3_4, slice0shift_search_3_5 : natural range 0 to 127;
+  signal slice0shift_search_3_6, slice0shift_search_3_7, slice0shift_search_4_0 : natural range 0 to 127;
+  signal slice0shift_search_4_1, slice0shift_search_4_2, slice0shift_search_4_3 : natural range 0 to 127;
+  signal slice0shift_search_4_4, slice0shift_search_4_5, slice0shift_search_4_6 : natural range 0 to 127;
+  signal slice0shift_search_4_7, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 127;
+  signal slice0shift_reference_2, slice0shift_reference_3, slice0shift_reference_4 : natural range 0 to 127;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 127;
+  signal slice0shift_search_out_3, slice0shift_search_out_4 : natural range 0 to 127;
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
@@ -177,77 +176,77 @@ architecture rtl of stereo_core_study_texture is
   signal slice0cost_difference_1_7, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -127 to 127;
   signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -127 to 127;
   signal slice0cost_difference_2_5, slice0cost_difference_2_6, slice0cost_difference_2_7 : integer range -127 to 127;
-  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -127 to 63;
-  signal slice0cost_difference_3_3, slice0cost_difference_3_4, slice0cost_difference_3_5 : integer range -127 to 63;
-  signal slice0cost_difference_3_6, slice0cost_difference_3_7 : integer range -127 to 63;
-  signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -63 to 63;
-  signal slice0cost_difference_4_3, slice0cost_difference_4_4, slice0cost_difference_4_5 : integer range -63 to 63;
-  signal slice0cost_difference_4_6, slice0cost_difference_4_7 : integer range -63 to 63;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_1_0 : natural range 0 to 255;
-  signal slice0cost_reverse_1_1, slice0cost_reverse_1_2, slice0cost_reverse_1_3 : natural range 0 to 255;
-  signal slice0cost_reverse_1_4, slice0cost_reverse_1_5, slice0cost_reverse_1_6 : natural range 0 to 255;
-  signal slice0cost_reverse_1_7 : natural range 0 to 255;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -127 to 127;
+  signal slice0cost_difference_3_3, slice0cost_difference_3_4, slice0cost_difference_3_5 : integer range -127 to 127;
+  signal slice0cost_difference_3_6, slice0cost_difference_3_7, slice0cost_difference_4_0 : integer range -127 to 127;
+  signal slice0cost_difference_4_1, slice0cost_difference_4_2, slice0cost_difference_4_3 : integer range -127 to 127;
+  signal slice0cost_difference_4_4, slice0cost_difference_4_5, slice0cost_difference_4_6 : integer range -127 to 127;
+  signal slice0cost_difference_4_7 : integer range -127 to 127;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
   signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4, slice0cost_negative_1_5 : boolean;
+  signal slice0cost_negative_1_6, slice0cost_negative_1_7, slice0cost_pair_tag_valid : boolean;
   signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 383;
-  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 383;
-  signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 382;
-  signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 382;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 127;
-  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 127;
-  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 127;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 893;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 893;
-  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 893;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 255;
+  signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 255;
+  signal slice0cost_pair_1_0, slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_1_3 : natural range 0 to 255;
+  signal slice0cost_pair_1_4, slice0cost_pair_1_5, slice0cost_pair_1_6, slice0cost_pair_1_7 : natural range 0 to 255;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 128;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 128;
+  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 128;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 640;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 640;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 640;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 893;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 893;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 893;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1786;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1786;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 1786;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 2679;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 2679;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 2679;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 3572;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 3572;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 3572;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 640;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 640;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 640;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 1280;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 1280;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 1280;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 1920;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 1920;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 1920;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 2560;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 2560;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 2560;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 4465;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 4465;
-  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 4465;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 3200;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 3200;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 3200;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4465;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4465;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 3200;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 3200;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_four_0_0 : natural range 0 to 3200;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 3200;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 3200;
+  signal slice0winner1_of_four_0_7 : natural range 0 to 3200;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4465;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 4465;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 4465;
+  signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -260,14 +259,13 @@ architecture rtl of stereo_core_study_texture is
   signal slice1shift_search_1_7, slice1shift_search_2_0, slice1shift_search_2_1 : natural range 0 to 127;
   signal slice1shift_search_2_2, slice1shift_search_2_3, slice1shift_search_2_4 : natural range 0 to 127;
   signal slice1shift_search_2_5, slice1shift_search_2_6, slice1shift_search_2_7 : natural range 0 to 127;
-  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 127;
-  signal slice1shift_reference_3 : natural range 0 to 127;
-  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 63;
-  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 63;
-  signal slice1shift_search_3_6, slice1shift_search_3_7, slice1shift_search_4_0 : natural range 0 to 63;
-  signal slice1shift_search_4_1, slice1shift_search_4_2, slice1shift_search_4_3 : natural range 0 to 63;
-  signal slice1shift_search_4_4, slice1shift_search_4_5, slice1shift_search_4_6 : natural range 0 to 63;
-  signal slice1shift_search_4_7, slice1shift_reference_4 : natural range 0 to 63;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 127;
+  signal slice1shift_search_3_3, slice1shift_search_3_4, slice1shift_search_3_5 : natural range 0 to 127;
+  signal slice1shift_search_3_6, slice1shift_search_3_7, slice1shift_search_4_0 : natural range 0 to 127;
+  signal slice1shift_search_4_1, slice1shift_search_4_2, slice1shift_search_4_3 : natural range 0 to 127;
+  signal slice1shift_search_4_4, slice1shift_search_4_5, slice1shift_search_4_6 : natural range 0 to 127;
+  signal slice1shift_search_4_7, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 127;
+  signal slice1shift_reference_2, slice1shift_reference_3, slice1shift_reference_4 : natural range 0 to 127;
   -- slice1cost
   signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 127;
   signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_0_5 : integer range -127 to 127;
@@ -277,61 +275,61 @@ architecture rtl of stereo_core_study_texture is
   signal slice1cost_difference_1_7, slice1cost_difference_2_0, slice1cost_difference_2_1 : integer range -127 to 127;
   signal slice1cost_difference_2_2, slice1cost_difference_2_3, slice1cost_difference_2_4 : integer range -127 to 127;
   signal slice1cost_difference_2_5, slice1cost_difference_2_6, slice1cost_difference_2_7 : integer range -127 to 127;
-  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -127 to 63;
-  signal slice1cost_difference_3_3, slice1cost_difference_3_4, slice1cost_difference_3_5 : integer range -127 to 63;
-  signal slice1cost_difference_3_6, slice1cost_difference_3_7 : integer range -127 to 63;
-  signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -63 to 63;
-  signal slice1cost_difference_4_3, slice1cost_difference_4_4, slice1cost_difference_4_5 : integer range -63 to 63;
-  signal slice1cost_difference_4_6, slice1cost_difference_4_7 : integer range -63 to 63;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_1_0 : natural range 0 to 255;
-  signal slice1cost_reverse_1_1, slice1cost_reverse_1_2, slice1cost_reverse_1_3 : natural range 0 to 255;
-  signal slice1cost_reverse_1_4, slice1cost_reverse_1_5, slice1cost_reverse_1_6 : natural range 0 to 255;
-  signal slice1cost_reverse_1_7 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 383;
-  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 383;
-  signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 382;
-  signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 382;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 127;
-  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 127;
-  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 127;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -127 to 127;
+  signal slice1cost_difference_3_3, slice1cost_difference_3_4, slice1cost_difference_3_5 : integer range -127 to 127;
+  signal slice1cost_difference_3_6, slice1cost_difference_3_7, slice1cost_difference_4_0 : integer range -127 to 127;
+  signal slice1cost_difference_4_1, slice1cost_difference_4_2, slice1cost_difference_4_3 : integer range -127 to 127;
+  signal slice1cost_difference_4_4, slice1cost_difference_4_5, slice1cost_difference_4_6 : integer range -127 to 127;
+  signal slice1cost_difference_4_7 : integer range -127 to 127;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 255;
+  signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 255;
+  signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 255;
+  signal slice1cost_pair_1_4, slice1cost_pair_1_5, slice1cost_pair_1_6, slice1cost_pair_1_7 : natural range 0 to 255;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 893;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 893;
-  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 893;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 128;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 128;
+  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 128;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 640;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 640;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 640;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 893;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 893;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 893;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1786;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1786;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 1786;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 2679;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 2679;
-  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 2679;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 3572;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 3572;
-  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 3572;
-  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 4465;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 4465;
-  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 4465;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 640;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 640;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 640;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 1280;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 1280;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 1280;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 1920;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 1920;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 1920;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 2560;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 2560;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 2560;
+  signal slice1window_centre_output_column_0, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 3200;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 3200;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 3200;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4465;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 4465;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 3200;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 3200;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_four_0_0 : natural range 0 to 3200;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 3200;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 3200;
+  signal slice1winner1_of_four_0_7 : natural range 0 to 3200;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 4465;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 4465;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -340,24 +338,23 @@ architecture rtl of stereo_core_study_texture is
   signal texture_taps_search_0_0, texture_taps_search_1_0, texture_taps_search_2_0 : natural range 0 to 31;
   signal texture_taps_search_3_0, texture_taps_search_4_0 : natural range 0 to 31;
   signal texture_passes_0_0, texture_passes_1_0, texture_passes_2_0, texture_passes_3_0, texture_passes_4_0 : boolean;
+  signal texture_passes_5_0 : boolean;
   -- texturecost
   signal texturecost_difference_0_0, texturecost_difference_1_0, texturecost_difference_2_0 : integer range -127 to 31;
-  signal texturecost_difference_3_0 : integer range -127 to 31;
-  signal texturecost_difference_4_0 : integer range -63 to 31;
-  signal texturecost_reverse_0_0, texturecost_reverse_1_0 : natural range 0 to 255;
-  signal texturecost_pair_0_0, texturecost_pair_1_0 : natural range 0 to 382;
-  signal texturecost_single_0_0 : natural range 0 to 126;
-  signal texturecost_negative_0_0 : boolean;
-  signal texturecost_column_0_0 : natural range 0 to 891;
+  signal texturecost_difference_3_0, texturecost_difference_4_0 : integer range -127 to 31;
+  signal texturecost_pair_0_0, texturecost_pair_1_0 : natural range 0 to 253;
+  signal texturecost_negative_0_0, texturecost_negative_1_0 : boolean;
+  signal texturecost_single_0_0 : natural range 0 to 127;
+  signal texturecost_column_0_0 : natural range 0 to 635;
   -- texturewindow
-  signal texturewindow_partial_0_0_0 : natural range 0 to 891;
-  signal texturewindow_partial_0_1_0 : natural range 0 to 1782;
-  signal texturewindow_partial_0_2_0 : natural range 0 to 2673;
-  signal texturewindow_partial_0_3_0 : natural range 0 to 3564;
-  signal texturewindow_sum_0_0 : natural range 0 to 4455;
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal texturewindow_partial_0_0_0 : natural range 0 to 635;
+  signal texturewindow_partial_0_1_0 : natural range 0 to 1270;
+  signal texturewindow_partial_0_2_0 : natural range 0 to 1905;
+  signal texturewindow_partial_0_3_0 : natural range 0 to 2540;
+  signal texturewindow_sum_0_0 : natural range 0 to 3175;
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
@@ -367,14 +364,14 @@ begin
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
   disparity <= std_logic_vector(to_unsigned(slice1_best_index_0_0, 8));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_4_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_5_0), 1));
   disparity_valid <= as_bit(slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice1_best_tag_end_of_line and slice1_best_tag_valid and slice1_best_tag_output_column);
 
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 27);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 27)
+    generic map (depth => 320, width => 28)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -382,15 +379,15 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 28)
+    generic map (depth => 320, width => 28)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 6);
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 6)
+    generic map (depth => 16, width => 7)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
@@ -398,7 +395,7 @@ begin
 
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 16)
+    generic map (depth => 320, width => 16)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
@@ -406,7 +403,7 @@ begin
 
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 16)
+    generic map (depth => 320, width => 16)
     port map (
       clock => clock, read_enable => true,
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
@@ -415,84 +412,50 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3, transform_counter_group_choice : boolean;
-    variable transform_read_column_inside_2_choice, transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_is_less, transform_right_filter_feature_0_is_less : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_all, transform_left_filter_column_0_0_choice_3 : boolean;
-    variable transform_right_filter_column_0_0_choice_3, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable transform_read_column_inside_0_differs, transform_counter_next_frame_choice : boolean;
+    variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
+    variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal : boolean;
+    variable raster_place_group_is_equal_2, raster_place_group_all, raster_place_group_is_equal_3 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 127;
-    variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_choice_3 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_3 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice_2, raster_place_group_choice : natural range 0 to 127;
+    variable raster_place_group_choice_2 : natural range 0 to 127;
     variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
-    variable transform_right_filter_column_0_0_choice_2, slice0cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_1_choice, slice0cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_3_choice, slice0cost_pair_0_4_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_5_choice, slice0cost_pair_0_6_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_7_choice, slice0cost_pair_1_0_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_1_choice, slice0cost_pair_1_2_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_3_choice, slice0cost_pair_1_4_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_5_choice, slice0cost_pair_1_6_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_7_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_3_choice, slice1cost_pair_0_4_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_5_choice, slice1cost_pair_0_6_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_7_choice, slice1cost_pair_1_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_1_choice, slice1cost_pair_1_2_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_3_choice, slice1cost_pair_1_4_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_5_choice, slice1cost_pair_1_6_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_7_choice, texturecost_pair_0_0_choice : natural range 0 to 255;
-    variable texturecost_pair_1_0_choice : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice_2 : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- transform
-      transform_counter_group_is_equal := transform_counter_column = 95;
-      transform_counter_group_is_equal_2 := transform_counter_group = 63;
+      transform_counter_group_is_equal := transform_counter_group = 63;
+      transform_counter_group_is_equal_2 := transform_counter_column = 319;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_is_equal_3 := (transform_counter_group / 2) = 32;
-      transform_counter_group_choice := in_valid and (not ((transform_counter_group mod 2) = 1)) when
-        transform_counter_group_is_equal_3 else in_valid;
-      transform_counter_group_choice_2 := 1 when raster_features_start_of_frame and (transform_counter_group = 64) else
+      transform_counter_group_choice := transform_counter_group_is_equal_2 and in_valid and (not
+        ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_3 else
+        transform_counter_group_is_equal_2 and in_valid;
+      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and (transform_counter_group = 64) else
         (transform_counter_group + 1) mod 128;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_is_equal and
-        transform_counter_group_choice else transform_counter_group;
-      transform_read_column_inside_2_choice := (transform_counter_column / 32) = 0 when transform_counter_column = 0
-        else ((transform_counter_column / 64) = 1) or (((transform_counter_column / 32) mod 2) = 1);
-      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
-        transform_filtering_column_inside_0;
-      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
-      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
-      transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference mod 64;
-      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
-        transform_left_filter_feature_0_choice < 31 else 31;
-      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
-        transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
-      transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference mod 64;
-      transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
-        transform_right_filter_feature_0_choice < 31 else 31;
+      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_choice else
+        transform_counter_group;
+      transform_read_column_inside_0_differs := transform_counter_column /= 0;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 128;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -508,11 +471,9 @@ begin
       transform_read_row_inside_0 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 64;
       transform_read_row_inside_2 <= not ((transform_counter_group / 64) = 1);
-      transform_read_column_inside_0 <= ((transform_counter_column / 8) /= 0) or (((transform_counter_column / 4) mod
-        2) = 1) or (((transform_counter_column / 2) mod 2) = 1) or ((transform_counter_column mod 2) = 1);
-      transform_read_column_inside_2 <= transform_read_column_inside_2_choice when ((transform_counter_column / 2) mod
-        16) = 0 else transform_counter_column /= 0;
-      transform_read_start_of_frame <= (transform_counter_group = 1) and (transform_counter_column = 1);
+      transform_read_column_inside_0 <= transform_read_column_inside_0_differs;
+      transform_read_column_inside_2 <= (transform_counter_column < 2) /= transform_read_column_inside_0_differs;
+      transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
       transform_ready_row_inside_0 <= transform_read_row_inside_0;
@@ -533,32 +494,31 @@ begin
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
+        when transform_counter_group_is_equal_2 else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
+        transform_counter_group_is_equal_3 else transform_counter_next_frame;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 128;
-      end if;
-      transform_counter_next_frame_is_equal := raster_place_column = 95;
-      transform_counter_next_frame_choice := (raster_place_group /= 65) and transform_counter_next_frame when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame when raster_place_group = 66 else
-        transform_counter_next_frame_choice;
-      transform_counter_next_frame_is_equal_2 := raster_place_group = 63;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal and
-        transform_counter_next_frame_is_equal_2;
-      if transform_filtered_valid then
-        transform_counter_next_frame <= transform_counter_next_frame_all or (not transform_filtered_start_of_frame)
-          when transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal and
-          transform_counter_next_frame_is_equal_2 and transform_filtered_start_of_frame;
+        transform_counter_column <= 0 when transform_counter_group_is_equal_2 or in_start_of_frame else
+          (transform_counter_column + 1) mod 512;
+        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
+          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
+          transform_counter_group_is_equal_2 and in_start_of_frame;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -592,27 +552,29 @@ begin
         transform_right_filter_column_2_0 <= transform_right_filter_column_1_0;
       end if;
       -- raster
-      raster_place_group_choice := 2 when (raster_place_group = 65) and transform_counter_next_frame else
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_is_equal_3 := raster_place_group = 65;
+      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        transform_counter_next_frame_is_equal and transform_filtered_valid else raster_place_group;
+        raster_place_group_is_equal_2 and transform_filtering_2_valid else raster_place_group;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= as_number(transform_counter_next_frame_all) * 64 when transform_filtered_start_of_frame and
-        transform_filtered_valid else raster_place_group_choice_2;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal_3 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        transform_counter_group_is_equal else raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal or transform_filtered_start_of_frame else
-          (raster_place_column + 1) mod 128;
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= as_number(raster_place_group_all) * 64 when transform_filtering_2_start_of_frame and
+        transform_filtering_2_valid else raster_place_group_choice_2;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
+        raster_place_next_frame_choice;
+      if transform_filtering_2_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_2_start_of_frame else
+          (raster_place_column + 1) mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not transform_filtering_2_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_2_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -624,15 +586,16 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_4 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_2_is_less and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 2) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 2);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -748,38 +711,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -820,96 +751,88 @@ begin
       slice0cost_difference_4_5 <= slice0shift_search_4_5 - slice0shift_reference_4;
       slice0cost_difference_4_6 <= slice0shift_search_4_6 - slice0shift_reference_4;
       slice0cost_difference_4_7 <= slice0shift_search_4_7 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0));
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0));
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0));
+      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0));
+      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0));
+      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0));
+      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0));
+      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0));
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_1_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
       slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_1_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_1_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
       slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_1_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
       slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_1_4 + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
       slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_1_5 + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
       slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_1_6 + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
       slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_1_7 + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -963,64 +886,82 @@ begin
       slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_3_7;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
         slice0window_tag_output_column <= slice1window_centre_output_column_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1070,38 +1011,6 @@ begin
       slice1shift_reference_3 <= slice0shift_reference_3;
       slice1shift_reference_4 <= slice0shift_reference_4;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
-      slice1cost_pair_1_4_choice := slice1cost_reverse_1_4 when slice1cost_difference_4_4 < 0 else
-        positive_part(slice1cost_difference_4_4);
-      slice1cost_pair_1_5_choice := slice1cost_reverse_1_5 when slice1cost_difference_4_5 < 0 else
-        positive_part(slice1cost_difference_4_5);
-      slice1cost_pair_1_6_choice := slice1cost_reverse_1_6 when slice1cost_difference_4_6 < 0 else
-        positive_part(slice1cost_difference_4_6);
-      slice1cost_pair_1_7_choice := slice1cost_reverse_1_7 when slice1cost_difference_4_7 < 0 else
-        positive_part(slice1cost_difference_4_7);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1142,86 +1051,78 @@ begin
       slice1cost_difference_4_5 <= slice1shift_search_4_5 - slice1shift_reference_4;
       slice1cost_difference_4_6 <= slice1shift_search_4_6 - slice1shift_reference_4;
       slice1cost_difference_4_7 <= slice1shift_search_4_7 - slice1shift_reference_4;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_reverse_1_4 <= (slice1shift_reference_4 - slice1shift_search_4_4) mod 256;
-      slice1cost_reverse_1_5 <= (slice1shift_reference_4 - slice1shift_search_4_5) mod 256;
-      slice1cost_reverse_1_6 <= (slice1shift_reference_4 - slice1shift_search_4_6) mod 256;
-      slice1cost_reverse_1_7 <= (slice1shift_reference_4 - slice1shift_search_4_7) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+      slice1cost_pair_0_5 <= folded(slice1cost_difference_2_5) + folded(slice1cost_difference_1_5) +
         as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+      slice1cost_pair_0_6 <= folded(slice1cost_difference_2_6) + folded(slice1cost_difference_1_6) +
         as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+      slice1cost_pair_0_7 <= folded(slice1cost_difference_2_7) + folded(slice1cost_difference_1_7) +
         as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_pair_1_4 <= slice1cost_pair_1_4_choice + folded(slice1cost_difference_3_4) +
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
         as_number((slice1cost_difference_3_4 < 0));
-      slice1cost_pair_1_5 <= slice1cost_pair_1_5_choice + folded(slice1cost_difference_3_5) +
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
         as_number((slice1cost_difference_3_5 < 0));
-      slice1cost_pair_1_6 <= slice1cost_pair_1_6_choice + folded(slice1cost_difference_3_6) +
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
         as_number((slice1cost_difference_3_6 < 0));
-      slice1cost_pair_1_7 <= slice1cost_pair_1_7_choice + folded(slice1cost_difference_3_7) +
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
         as_number((slice1cost_difference_3_7 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_2_7 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0));
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0));
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0));
+      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0));
+      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0));
+      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0));
+      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0));
+      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0));
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_1_0 + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_1_1 + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
       slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_1_2 + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
       slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_1_3 + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
       slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_1_4 + slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
       slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_1_5 + slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
       slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_1_6 + slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
       slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_1_7 + slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1257,6 +1158,7 @@ begin
         slice1window_partial_0_3_6 <= slice1cost_column_0_6 + slice1window_partial_0_2_6;
         slice1window_partial_0_3_7 <= slice1cost_column_0_7 + slice1window_partial_0_2_7;
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       end if;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
@@ -1268,42 +1170,57 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_3_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 12)))) or (to_unsigned(slice1winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 12)))) or (to_unsigned(slice1winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
+        slice1winner1_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1319,26 +1236,22 @@ begin
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      texture_passes_5_0 <= texture_passes_4_0;
       -- texturecost
-      texturecost_pair_0_0_choice := texturecost_reverse_0_0 when texturecost_difference_2_0 < 0 else
-        positive_part(texturecost_difference_2_0);
-      texturecost_pair_1_0_choice := texturecost_reverse_1_0 when texturecost_difference_4_0 < 0 else
-        positive_part(texturecost_difference_4_0);
       texturecost_difference_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_difference_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_difference_2_0 <= texture_taps_search_2_0 - slice0shift_reference_2;
       texturecost_difference_3_0 <= texture_taps_search_3_0 - slice0shift_reference_3;
       texturecost_difference_4_0 <= texture_taps_search_4_0 - slice0shift_reference_4;
-      texturecost_reverse_0_0 <= (slice0shift_reference_2 - texture_taps_search_2_0) mod 256;
-      texturecost_reverse_1_0 <= (slice0shift_reference_4 - texture_taps_search_4_0) mod 256;
-      texturecost_pair_0_0 <= texturecost_pair_0_0_choice + folded(texturecost_difference_1_0) +
-        as_number((texturecost_difference_1_0 < 0));
-      texturecost_pair_1_0 <= texturecost_pair_1_0_choice + folded(texturecost_difference_3_0) +
-        as_number((texturecost_difference_3_0 < 0));
-      texturecost_single_0_0 <= folded(texturecost_difference_0_0);
-      texturecost_negative_0_0 <= texturecost_difference_0_0 < 0;
+      texturecost_pair_0_0 <= as_number((texturecost_difference_1_0 < 0)) + folded(texturecost_difference_1_0) +
+        folded(texturecost_difference_2_0);
+      texturecost_pair_1_0 <= as_number((texturecost_difference_3_0 < 0)) + folded(texturecost_difference_3_0) +
+        folded(texturecost_difference_4_0);
+      texturecost_negative_0_0 <= texturecost_difference_2_0 < 0;
+      texturecost_negative_1_0 <= texturecost_difference_4_0 < 0;
+      texturecost_single_0_0 <= folded(texturecost_difference_0_0) + as_number((texturecost_difference_0_0 < 0));
       texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(texturecost_negative_0_0) +
-        texturecost_pair_1_0 + texturecost_pair_0_0 + texturecost_single_0_0;
+        texturecost_pair_0_0 + texturecost_single_0_0 + texturecost_pair_1_0 + as_number(texturecost_negative_1_0);
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
@@ -1361,14 +1274,16 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 66;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1409,12 +1324,19 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1423,15 +1345,12 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
         slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;

@@ -55,16 +55,16 @@ architecture rtl of stereo_ip_study_w15_recursive is
 begin
   shell : entity work.stereo_shell
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 18,
-      flush_groups => 678,
-      gap_groups => 672,
-      core_id => x"93f2e98f",
+      output_width_px => 304,
+      latency_clocks => 19,
+      flush_groups => 2246,
+      gap_groups => 2240,
+      core_id => x"f44c9c4f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -111,15 +111,15 @@ begin
 
   core : entity work.stereo_core_study_w15_recursive
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 18,
-      flush_groups => 678,
-      gap_groups => 672)
+      output_width_px => 304,
+      latency_clocks => 19,
+      flush_groups => 2246,
+      gap_groups => 2240)
     port map (
       clock => aclk,
       reset => reset,

@@ -55,16 +55,16 @@ architecture rtl of stereo_ip_study_w21_recursive is
 begin
   shell : entity work.stereo_shell
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 18,
-      flush_groups => 969,
-      gap_groups => 960,
-      core_id => x"1f76842a",
+      output_width_px => 304,
+      latency_clocks => 19,
+      flush_groups => 3209,
+      gap_groups => 3200,
+      core_id => x"1879a39d",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -111,15 +111,15 @@ begin
 
   core : entity work.stereo_core_study_w21_recursive
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 18,
-      flush_groups => 969,
-      gap_groups => 960)
+      output_width_px => 304,
+      latency_clocks => 19,
+      flush_groups => 3209,
+      gap_groups => 3200)
     port map (
       clock => aclk,
       reset => reset,

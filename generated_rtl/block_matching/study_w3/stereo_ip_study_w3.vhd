@@ -55,16 +55,16 @@ architecture rtl of stereo_ip_study_w3 is
 begin
   shell : entity work.stereo_shell
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 15,
-      flush_groups => 96,
+      output_width_px => 304,
+      latency_clocks => 16,
+      flush_groups => 320,
       gap_groups => 0,
-      core_id => x"a69c64a7",
+      core_id => x"b10a2f91",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -111,14 +111,14 @@ begin
 
   core : entity work.stereo_core_study_w3
     generic map (
-      width_px => 96,
+      width_px => 320,
       height_px => 64,
       disparities => 16,
       pixels_per_clock => 1,
       disparity_bits => 8,
-      output_width_px => 80,
-      latency_clocks => 15,
-      flush_groups => 96,
+      output_width_px => 304,
+      latency_clocks => 16,
+      flush_groups => 320,
       gap_groups => 0)
     port map (
       clock => aclk,

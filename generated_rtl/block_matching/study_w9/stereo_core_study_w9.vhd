@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_w9: 96x64, 16 disparities, window 9x9, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_w9: 320x64, 16 disparities, window 9x9, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 9, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_w9
@@ -11,14 +11,14 @@ use ieee.numeric_std.all;
 entity stereo_core_study_w9 is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 15;
-    flush_groups : positive := 387;
+    output_width_px : positive := 304;
+    latency_clocks : positive := 16;
+    flush_groups : positive := 1283;
     gap_groups : natural := 0
   );
   port (
@@ -35,26 +35,18 @@ entity stereo_core_study_w9 is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_w9: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_w9: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_w9: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_w9: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_w9: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_w9: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_w9: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 15 report "stereo_core_study_w9: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
-  assert flush_groups = 387 report "stereo_core_study_w9: flush_groups is " & integer'image(flush_groups) & " but this core has 387" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_w9: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 16 report "stereo_core_study_w9: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
+  assert flush_groups = 1283 report "stereo_core_study_w9: flush_groups is " & integer'image(flush_groups) & " but this core has 1283" severity failure;
   assert gap_groups = 0 report "stereo_core_study_w9: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_w9 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_w9 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,13 +92,14 @@ architecture rtl of stereo_core_study_w9 is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_row_inside_3, delay_row_inside_4 : boolean;
   signal delay_row_inside_5, delay_row_inside_6, delay_row_inside_7, delay_row_inside_8, delay_tag_valid : boolean;
   signal delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
@@ -117,7 +116,7 @@ architecture rtl of stereo_core_study_w9 is
   signal rows_search_6, rows_search_7, rows_search_8, rows_reference_0, rows_reference_1 : natural range 0 to 255;
   signal rows_reference_2, rows_reference_3, rows_reference_4, rows_reference_5 : natural range 0 to 255;
   signal rows_reference_6, rows_reference_7, rows_reference_8 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_inside_3, rows_read_inside_4 : boolean;
   signal rows_read_inside_5, rows_read_inside_6, rows_read_inside_7, rows_read_inside_8, rows_read_tag_valid : boolean;
   signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
@@ -185,25 +184,17 @@ architecture rtl of stereo_core_study_w9 is
   signal slice0cost_difference_7_7, slice0cost_difference_8_0, slice0cost_difference_8_1 : integer range -255 to 255;
   signal slice0cost_difference_8_2, slice0cost_difference_8_3, slice0cost_difference_8_4 : integer range -255 to 255;
   signal slice0cost_difference_8_5, slice0cost_difference_8_6, slice0cost_difference_8_7 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_1_0 : natural range 0 to 255;
-  signal slice0cost_reverse_1_1, slice0cost_reverse_1_2, slice0cost_reverse_1_3 : natural range 0 to 255;
-  signal slice0cost_reverse_1_4, slice0cost_reverse_1_5, slice0cost_reverse_1_6 : natural range 0 to 255;
-  signal slice0cost_reverse_1_7, slice0cost_reverse_2_0, slice0cost_reverse_2_1 : natural range 0 to 255;
-  signal slice0cost_reverse_2_2, slice0cost_reverse_2_3, slice0cost_reverse_2_4 : natural range 0 to 255;
-  signal slice0cost_reverse_2_5, slice0cost_reverse_2_6, slice0cost_reverse_2_7 : natural range 0 to 255;
-  signal slice0cost_reverse_3_0, slice0cost_reverse_3_1, slice0cost_reverse_3_2 : natural range 0 to 255;
-  signal slice0cost_reverse_3_3, slice0cost_reverse_3_4, slice0cost_reverse_3_5 : natural range 0 to 255;
-  signal slice0cost_reverse_3_6, slice0cost_reverse_3_7, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
-  signal slice0cost_single_0_4, slice0cost_single_0_5, slice0cost_single_0_6 : natural range 0 to 255;
-  signal slice0cost_single_0_7 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
   signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_0_5 : boolean;
-  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_negative_0_6, slice0cost_negative_0_7, slice0cost_negative_1_0, slice0cost_negative_1_1 : boolean;
+  signal slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4, slice0cost_negative_1_5 : boolean;
+  signal slice0cost_negative_1_6, slice0cost_negative_1_7, slice0cost_negative_2_0, slice0cost_negative_2_1 : boolean;
+  signal slice0cost_negative_2_2, slice0cost_negative_2_3, slice0cost_negative_2_4, slice0cost_negative_2_5 : boolean;
+  signal slice0cost_negative_2_6, slice0cost_negative_2_7, slice0cost_negative_3_0, slice0cost_negative_3_1 : boolean;
+  signal slice0cost_negative_3_2, slice0cost_negative_3_3, slice0cost_negative_3_4, slice0cost_negative_3_5 : boolean;
+  signal slice0cost_negative_3_6, slice0cost_negative_3_7, slice0cost_pair_tag_valid : boolean;
   signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
@@ -216,61 +207,69 @@ architecture rtl of stereo_core_study_w9 is
   signal slice0cost_pair_2_4, slice0cost_pair_2_5, slice0cost_pair_2_6, slice0cost_pair_2_7 : natural range 0 to 511;
   signal slice0cost_pair_3_0, slice0cost_pair_3_1, slice0cost_pair_3_2, slice0cost_pair_3_3 : natural range 0 to 511;
   signal slice0cost_pair_3_4, slice0cost_pair_3_5, slice0cost_pair_3_6, slice0cost_pair_3_7 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 2300;
-  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 2300;
-  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 2300;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 2303;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 2303;
+  signal slice0cost_column_0_6, slice0cost_column_0_7 : natural range 0 to 2303;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 2300;
-  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 2300;
-  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 2300;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 4600;
-  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 4600;
-  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 4600;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 6900;
-  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 6900;
-  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 6900;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 9200;
-  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 9200;
-  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 9200;
-  signal slice0window_partial_0_4_0, slice0window_partial_0_4_1, slice0window_partial_0_4_2 : natural range 0 to 11500;
-  signal slice0window_partial_0_4_3, slice0window_partial_0_4_4, slice0window_partial_0_4_5 : natural range 0 to 11500;
-  signal slice0window_partial_0_4_6, slice0window_partial_0_4_7 : natural range 0 to 11500;
-  signal slice0window_partial_0_5_0, slice0window_partial_0_5_1, slice0window_partial_0_5_2 : natural range 0 to 13800;
-  signal slice0window_partial_0_5_3, slice0window_partial_0_5_4, slice0window_partial_0_5_5 : natural range 0 to 13800;
-  signal slice0window_partial_0_5_6, slice0window_partial_0_5_7 : natural range 0 to 13800;
-  signal slice0window_partial_0_6_0, slice0window_partial_0_6_1, slice0window_partial_0_6_2 : natural range 0 to 16100;
-  signal slice0window_partial_0_6_3, slice0window_partial_0_6_4, slice0window_partial_0_6_5 : natural range 0 to 16100;
-  signal slice0window_partial_0_6_6, slice0window_partial_0_6_7 : natural range 0 to 16100;
-  signal slice0window_partial_0_7_0, slice0window_partial_0_7_1, slice0window_partial_0_7_2 : natural range 0 to 18400;
-  signal slice0window_partial_0_7_3, slice0window_partial_0_7_4, slice0window_partial_0_7_5 : natural range 0 to 18400;
-  signal slice0window_partial_0_7_6, slice0window_partial_0_7_7 : natural range 0 to 18400;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 2303;
+  signal slice0window_partial_0_0_3, slice0window_partial_0_0_4, slice0window_partial_0_0_5 : natural range 0 to 2303;
+  signal slice0window_partial_0_0_6, slice0window_partial_0_0_7 : natural range 0 to 2303;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 4606;
+  signal slice0window_partial_0_1_3, slice0window_partial_0_1_4, slice0window_partial_0_1_5 : natural range 0 to 4606;
+  signal slice0window_partial_0_1_6, slice0window_partial_0_1_7 : natural range 0 to 4606;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 6909;
+  signal slice0window_partial_0_2_3, slice0window_partial_0_2_4, slice0window_partial_0_2_5 : natural range 0 to 6909;
+  signal slice0window_partial_0_2_6, slice0window_partial_0_2_7 : natural range 0 to 6909;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 9212;
+  signal slice0window_partial_0_3_3, slice0window_partial_0_3_4, slice0window_partial_0_3_5 : natural range 0 to 9212;
+  signal slice0window_partial_0_3_6, slice0window_partial_0_3_7 : natural range 0 to 9212;
+  signal slice0window_partial_0_4_0, slice0window_partial_0_4_1, slice0window_partial_0_4_2 : natural range 0 to 11515;
+  signal slice0window_partial_0_4_3, slice0window_partial_0_4_4, slice0window_partial_0_4_5 : natural range 0 to 11515;
+  signal slice0window_partial_0_4_6, slice0window_partial_0_4_7 : natural range 0 to 11515;
+  signal slice0window_partial_0_5_0, slice0window_partial_0_5_1, slice0window_partial_0_5_2 : natural range 0 to 13818;
+  signal slice0window_partial_0_5_3, slice0window_partial_0_5_4, slice0window_partial_0_5_5 : natural range 0 to 13818;
+  signal slice0window_partial_0_5_6, slice0window_partial_0_5_7 : natural range 0 to 13818;
+  signal slice0window_partial_0_6_0, slice0window_partial_0_6_1, slice0window_partial_0_6_2 : natural range 0 to 16121;
+  signal slice0window_partial_0_6_3, slice0window_partial_0_6_4, slice0window_partial_0_6_5 : natural range 0 to 16121;
+  signal slice0window_partial_0_6_6, slice0window_partial_0_6_7 : natural range 0 to 16121;
+  signal slice0window_partial_0_7_0, slice0window_partial_0_7_1, slice0window_partial_0_7_2 : natural range 0 to 18424;
+  signal slice0window_partial_0_7_3, slice0window_partial_0_7_4, slice0window_partial_0_7_5 : natural range 0 to 18424;
+  signal slice0window_partial_0_7_6, slice0window_partial_0_7_7 : natural range 0 to 18424;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_start_of_frame_2 : boolean;
   signal slice0window_centre_start_of_frame_3, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 20700;
-  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 20700;
-  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 20700;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 20727;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 20727;
+  signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 20727;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 20700;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 20700;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 20727;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 20727;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_four_0_0 : natural range 0 to 20727;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 20727;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 20727;
+  signal slice0winner1_of_four_0_7 : natural range 0 to 20727;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 20700;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 20700;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 20700;
+  signal slice0_best_cost_0_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0 : natural range 0 to 15;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -327,20 +326,6 @@ architecture rtl of stereo_core_study_w9 is
   signal slice1cost_difference_7_7, slice1cost_difference_8_0, slice1cost_difference_8_1 : integer range -255 to 255;
   signal slice1cost_difference_8_2, slice1cost_difference_8_3, slice1cost_difference_8_4 : integer range -255 to 255;
   signal slice1cost_difference_8_5, slice1cost_difference_8_6, slice1cost_difference_8_7 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_reverse_0_5 : natural range 0 to 255;
-  signal slice1cost_reverse_0_6, slice1cost_reverse_0_7, slice1cost_reverse_1_0 : natural range 0 to 255;
-  signal slice1cost_reverse_1_1, slice1cost_reverse_1_2, slice1cost_reverse_1_3 : natural range 0 to 255;
-  signal slice1cost_reverse_1_4, slice1cost_reverse_1_5, slice1cost_reverse_1_6 : natural range 0 to 255;
-  signal slice1cost_reverse_1_7, slice1cost_reverse_2_0, slice1cost_reverse_2_1 : natural range 0 to 255;
-  signal slice1cost_reverse_2_2, slice1cost_reverse_2_3, slice1cost_reverse_2_4 : natural range 0 to 255;
-  signal slice1cost_reverse_2_5, slice1cost_reverse_2_6, slice1cost_reverse_2_7 : natural range 0 to 255;
-  signal slice1cost_reverse_3_0, slice1cost_reverse_3_1, slice1cost_reverse_3_2 : natural range 0 to 255;
-  signal slice1cost_reverse_3_3, slice1cost_reverse_3_4, slice1cost_reverse_3_5 : natural range 0 to 255;
-  signal slice1cost_reverse_3_6, slice1cost_reverse_3_7, slice1cost_single_0_0 : natural range 0 to 255;
-  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
-  signal slice1cost_single_0_4, slice1cost_single_0_5, slice1cost_single_0_6 : natural range 0 to 255;
-  signal slice1cost_single_0_7 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_0_4, slice1cost_pair_0_5, slice1cost_pair_0_6, slice1cost_pair_0_7 : natural range 0 to 511;
   signal slice1cost_pair_1_0, slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_1_3 : natural range 0 to 511;
@@ -351,55 +336,66 @@ architecture rtl of stereo_core_study_w9 is
   signal slice1cost_pair_3_4, slice1cost_pair_3_5, slice1cost_pair_3_6, slice1cost_pair_3_7 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_negative_0_5, slice1cost_negative_0_6, slice1cost_negative_0_7 : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 2300;
-  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 2300;
-  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 2300;
+  signal slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_1_3 : boolean;
+  signal slice1cost_negative_1_4, slice1cost_negative_1_5, slice1cost_negative_1_6, slice1cost_negative_1_7 : boolean;
+  signal slice1cost_negative_2_0, slice1cost_negative_2_1, slice1cost_negative_2_2, slice1cost_negative_2_3 : boolean;
+  signal slice1cost_negative_2_4, slice1cost_negative_2_5, slice1cost_negative_2_6, slice1cost_negative_2_7 : boolean;
+  signal slice1cost_negative_3_0, slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_negative_3_3 : boolean;
+  signal slice1cost_negative_3_4, slice1cost_negative_3_5, slice1cost_negative_3_6, slice1cost_negative_3_7 : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_0_5 : natural range 0 to 255;
+  signal slice1cost_single_0_6, slice1cost_single_0_7 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 2303;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 2303;
+  signal slice1cost_column_0_6, slice1cost_column_0_7 : natural range 0 to 2303;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 2300;
-  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 2300;
-  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 2300;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 4600;
-  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 4600;
-  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 4600;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 6900;
-  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 6900;
-  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 6900;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 9200;
-  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 9200;
-  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 9200;
-  signal slice1window_partial_0_4_0, slice1window_partial_0_4_1, slice1window_partial_0_4_2 : natural range 0 to 11500;
-  signal slice1window_partial_0_4_3, slice1window_partial_0_4_4, slice1window_partial_0_4_5 : natural range 0 to 11500;
-  signal slice1window_partial_0_4_6, slice1window_partial_0_4_7 : natural range 0 to 11500;
-  signal slice1window_partial_0_5_0, slice1window_partial_0_5_1, slice1window_partial_0_5_2 : natural range 0 to 13800;
-  signal slice1window_partial_0_5_3, slice1window_partial_0_5_4, slice1window_partial_0_5_5 : natural range 0 to 13800;
-  signal slice1window_partial_0_5_6, slice1window_partial_0_5_7 : natural range 0 to 13800;
-  signal slice1window_partial_0_6_0, slice1window_partial_0_6_1, slice1window_partial_0_6_2 : natural range 0 to 16100;
-  signal slice1window_partial_0_6_3, slice1window_partial_0_6_4, slice1window_partial_0_6_5 : natural range 0 to 16100;
-  signal slice1window_partial_0_6_6, slice1window_partial_0_6_7 : natural range 0 to 16100;
-  signal slice1window_partial_0_7_0, slice1window_partial_0_7_1, slice1window_partial_0_7_2 : natural range 0 to 18400;
-  signal slice1window_partial_0_7_3, slice1window_partial_0_7_4, slice1window_partial_0_7_5 : natural range 0 to 18400;
-  signal slice1window_partial_0_7_6, slice1window_partial_0_7_7 : natural range 0 to 18400;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 2303;
+  signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_partial_0_0_5 : natural range 0 to 2303;
+  signal slice1window_partial_0_0_6, slice1window_partial_0_0_7 : natural range 0 to 2303;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 4606;
+  signal slice1window_partial_0_1_3, slice1window_partial_0_1_4, slice1window_partial_0_1_5 : natural range 0 to 4606;
+  signal slice1window_partial_0_1_6, slice1window_partial_0_1_7 : natural range 0 to 4606;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 6909;
+  signal slice1window_partial_0_2_3, slice1window_partial_0_2_4, slice1window_partial_0_2_5 : natural range 0 to 6909;
+  signal slice1window_partial_0_2_6, slice1window_partial_0_2_7 : natural range 0 to 6909;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 9212;
+  signal slice1window_partial_0_3_3, slice1window_partial_0_3_4, slice1window_partial_0_3_5 : natural range 0 to 9212;
+  signal slice1window_partial_0_3_6, slice1window_partial_0_3_7 : natural range 0 to 9212;
+  signal slice1window_partial_0_4_0, slice1window_partial_0_4_1, slice1window_partial_0_4_2 : natural range 0 to 11515;
+  signal slice1window_partial_0_4_3, slice1window_partial_0_4_4, slice1window_partial_0_4_5 : natural range 0 to 11515;
+  signal slice1window_partial_0_4_6, slice1window_partial_0_4_7 : natural range 0 to 11515;
+  signal slice1window_partial_0_5_0, slice1window_partial_0_5_1, slice1window_partial_0_5_2 : natural range 0 to 13818;
+  signal slice1window_partial_0_5_3, slice1window_partial_0_5_4, slice1window_partial_0_5_5 : natural range 0 to 13818;
+  signal slice1window_partial_0_5_6, slice1window_partial_0_5_7 : natural range 0 to 13818;
+  signal slice1window_partial_0_6_0, slice1window_partial_0_6_1, slice1window_partial_0_6_2 : natural range 0 to 16121;
+  signal slice1window_partial_0_6_3, slice1window_partial_0_6_4, slice1window_partial_0_6_5 : natural range 0 to 16121;
+  signal slice1window_partial_0_6_6, slice1window_partial_0_6_7 : natural range 0 to 16121;
+  signal slice1window_partial_0_7_0, slice1window_partial_0_7_1, slice1window_partial_0_7_2 : natural range 0 to 18424;
+  signal slice1window_partial_0_7_3, slice1window_partial_0_7_4, slice1window_partial_0_7_5 : natural range 0 to 18424;
+  signal slice1window_partial_0_7_6, slice1window_partial_0_7_7 : natural range 0 to 18424;
   signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
-  signal slice1window_centre_output_column_2, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_start_of_frame_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_output_column_2, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_centre_end_of_line_1, slice1window_centre_end_of_line_2 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 20700;
-  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 20700;
-  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 20700;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 20727;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 20727;
+  signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 20727;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 20700;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 20700;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 20727;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 20727;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_four_0_0 : natural range 0 to 20727;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 20727;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 20727;
+  signal slice1winner1_of_four_0_7 : natural range 0 to 20727;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 20700;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 20700;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -423,7 +419,7 @@ begin
 
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_1,
@@ -431,7 +427,7 @@ begin
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -439,7 +435,7 @@ begin
 
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_1,
@@ -447,7 +443,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -463,73 +459,41 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_4_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
-    variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_4_is_less, slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_0_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_4_is_less, slice0winner1_of_pair_0_6_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_0_4_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice, raster_place_group_choice_2 : natural range 0 to 127;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice0cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_4_choice, slice0cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_6_choice, slice0cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_0_choice, slice0cost_pair_2_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_2_choice, slice0cost_pair_2_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_4_choice, slice0cost_pair_2_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_6_choice, slice0cost_pair_2_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_3_0_choice, slice0cost_pair_3_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_3_2_choice, slice0cost_pair_3_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_3_4_choice, slice0cost_pair_3_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_3_6_choice, slice0cost_pair_3_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_0_choice, slice1cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_2_choice, slice1cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_4_choice, slice1cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_6_choice, slice1cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_1_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_4_choice, slice1cost_pair_1_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_6_choice, slice1cost_pair_1_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_0_choice, slice1cost_pair_2_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_2_choice, slice1cost_pair_2_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_4_choice, slice1cost_pair_2_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_6_choice, slice1cost_pair_2_7_choice : natural range 0 to 255;
-    variable slice1cost_pair_3_0_choice, slice1cost_pair_3_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_3_2_choice, slice1cost_pair_3_3_choice : natural range 0 to 255;
-    variable slice1cost_pair_3_4_choice, slice1cost_pair_3_5_choice : natural range 0 to 255;
-    variable slice1cost_pair_3_6_choice, slice1cost_pair_3_7_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
-      raster_place_group_is_equal_2 := raster_place_group = 63;
+      raster_place_group_is_equal := raster_place_group = 63;
+      raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 4 when (raster_place_group = 67) and raster_features_start_of_frame else
+      raster_place_group_is_equal_3 := raster_place_group = 67;
+      raster_place_group_choice := 4 when raster_place_group_is_equal_3 and raster_place_next_frame else
         (raster_place_group + 1) mod 128;
       raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 68) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+        raster_place_group_is_equal_2 and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
       raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
         raster_place_group_choice_2;
-      raster_features_start_of_frame_choice := (raster_place_group /= 67) and raster_features_start_of_frame when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame when raster_place_group = 68 else
-        raster_features_start_of_frame_choice;
+      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 68 else
+        raster_place_next_frame_choice;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
+          mod 512;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -541,19 +505,20 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 8) + 8191) mod 8192) * 8) + (raster_place_group mod 8)) < 64;
-      delay_row_inside_1 <= ((raster_place_group + 65529) mod 65536) < 64;
+      delay_row_inside_1 <= (raster_place_group >= 7) and (raster_place_group < 71);
       delay_row_inside_2 <= (((((raster_place_group / 2) + 32765) mod 32768) * 2) + (raster_place_group mod 2)) < 64;
-      delay_row_inside_3 <= ((raster_place_group + 65531) mod 65536) < 64;
+      delay_row_inside_3 <= (raster_place_group >= 5) and (raster_place_group < 69);
       delay_row_inside_4 <= delay_row_inside_4_is_less;
-      delay_row_inside_5 <= ((raster_place_group + 65533) mod 65536) < 64;
+      delay_row_inside_5 <= (raster_place_group >= 3) and (raster_place_group < 67);
       delay_row_inside_6 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 64;
-      delay_row_inside_7 <= ((raster_place_group + 65535) mod 65536) < 64;
+      delay_row_inside_7 <= (raster_place_group >= 1) and (raster_place_group < 65);
       delay_row_inside_8 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
-      delay_tag_output_column <= delay_row_inside_4_is_less and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 4) and (raster_place_column = 15);
-      delay_tag_end_of_line <= raster_place_column = 94;
+      delay_tag_border_column <= raster_place_column < 15;
+      delay_tag_output_column <= delay_row_inside_4_is_less and (raster_place_column >= 15) and (raster_place_column <
+        319);
+      delay_tag_start_of_frame <= (raster_place_column = 15) and (raster_place_group = 4);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -726,70 +691,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_3_choice := slice0cost_reverse_1_3 when slice0cost_difference_4_3 < 0 else
-        positive_part(slice0cost_difference_4_3);
-      slice0cost_pair_1_4_choice := slice0cost_reverse_1_4 when slice0cost_difference_4_4 < 0 else
-        positive_part(slice0cost_difference_4_4);
-      slice0cost_pair_1_5_choice := slice0cost_reverse_1_5 when slice0cost_difference_4_5 < 0 else
-        positive_part(slice0cost_difference_4_5);
-      slice0cost_pair_1_6_choice := slice0cost_reverse_1_6 when slice0cost_difference_4_6 < 0 else
-        positive_part(slice0cost_difference_4_6);
-      slice0cost_pair_1_7_choice := slice0cost_reverse_1_7 when slice0cost_difference_4_7 < 0 else
-        positive_part(slice0cost_difference_4_7);
-      slice0cost_pair_2_0_choice := slice0cost_reverse_2_0 when slice0cost_difference_6_0 < 0 else
-        positive_part(slice0cost_difference_6_0);
-      slice0cost_pair_2_1_choice := slice0cost_reverse_2_1 when slice0cost_difference_6_1 < 0 else
-        positive_part(slice0cost_difference_6_1);
-      slice0cost_pair_2_2_choice := slice0cost_reverse_2_2 when slice0cost_difference_6_2 < 0 else
-        positive_part(slice0cost_difference_6_2);
-      slice0cost_pair_2_3_choice := slice0cost_reverse_2_3 when slice0cost_difference_6_3 < 0 else
-        positive_part(slice0cost_difference_6_3);
-      slice0cost_pair_2_4_choice := slice0cost_reverse_2_4 when slice0cost_difference_6_4 < 0 else
-        positive_part(slice0cost_difference_6_4);
-      slice0cost_pair_2_5_choice := slice0cost_reverse_2_5 when slice0cost_difference_6_5 < 0 else
-        positive_part(slice0cost_difference_6_5);
-      slice0cost_pair_2_6_choice := slice0cost_reverse_2_6 when slice0cost_difference_6_6 < 0 else
-        positive_part(slice0cost_difference_6_6);
-      slice0cost_pair_2_7_choice := slice0cost_reverse_2_7 when slice0cost_difference_6_7 < 0 else
-        positive_part(slice0cost_difference_6_7);
-      slice0cost_pair_3_0_choice := slice0cost_reverse_3_0 when slice0cost_difference_8_0 < 0 else
-        positive_part(slice0cost_difference_8_0);
-      slice0cost_pair_3_1_choice := slice0cost_reverse_3_1 when slice0cost_difference_8_1 < 0 else
-        positive_part(slice0cost_difference_8_1);
-      slice0cost_pair_3_2_choice := slice0cost_reverse_3_2 when slice0cost_difference_8_2 < 0 else
-        positive_part(slice0cost_difference_8_2);
-      slice0cost_pair_3_3_choice := slice0cost_reverse_3_3 when slice0cost_difference_8_3 < 0 else
-        positive_part(slice0cost_difference_8_3);
-      slice0cost_pair_3_4_choice := slice0cost_reverse_3_4 when slice0cost_difference_8_4 < 0 else
-        positive_part(slice0cost_difference_8_4);
-      slice0cost_pair_3_5_choice := slice0cost_reverse_3_5 when slice0cost_difference_8_5 < 0 else
-        positive_part(slice0cost_difference_8_5);
-      slice0cost_pair_3_6_choice := slice0cost_reverse_3_6 when slice0cost_difference_8_6 < 0 else
-        positive_part(slice0cost_difference_8_6);
-      slice0cost_pair_3_7_choice := slice0cost_reverse_3_7 when slice0cost_difference_8_7 < 0 else
-        positive_part(slice0cost_difference_8_7);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -862,152 +763,152 @@ begin
       slice0cost_difference_8_5 <= slice0shift_search_8_5 - slice0shift_reference_8;
       slice0cost_difference_8_6 <= slice0shift_search_8_6 - slice0shift_reference_8;
       slice0cost_difference_8_7 <= slice0shift_search_8_7 - slice0shift_reference_8;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_1_3 <= (slice0shift_reference_4 - slice0shift_search_4_3) mod 256;
-      slice0cost_reverse_1_4 <= (slice0shift_reference_4 - slice0shift_search_4_4) mod 256;
-      slice0cost_reverse_1_5 <= (slice0shift_reference_4 - slice0shift_search_4_5) mod 256;
-      slice0cost_reverse_1_6 <= (slice0shift_reference_4 - slice0shift_search_4_6) mod 256;
-      slice0cost_reverse_1_7 <= (slice0shift_reference_4 - slice0shift_search_4_7) mod 256;
-      slice0cost_reverse_2_0 <= (slice0shift_reference_6 - slice0shift_search_6_0) mod 256;
-      slice0cost_reverse_2_1 <= (slice0shift_reference_6 - slice0shift_search_6_1) mod 256;
-      slice0cost_reverse_2_2 <= (slice0shift_reference_6 - slice0shift_search_6_2) mod 256;
-      slice0cost_reverse_2_3 <= (slice0shift_reference_6 - slice0shift_search_6_3) mod 256;
-      slice0cost_reverse_2_4 <= (slice0shift_reference_6 - slice0shift_search_6_4) mod 256;
-      slice0cost_reverse_2_5 <= (slice0shift_reference_6 - slice0shift_search_6_5) mod 256;
-      slice0cost_reverse_2_6 <= (slice0shift_reference_6 - slice0shift_search_6_6) mod 256;
-      slice0cost_reverse_2_7 <= (slice0shift_reference_6 - slice0shift_search_6_7) mod 256;
-      slice0cost_reverse_3_0 <= (slice0shift_reference_8 - slice0shift_search_8_0) mod 256;
-      slice0cost_reverse_3_1 <= (slice0shift_reference_8 - slice0shift_search_8_1) mod 256;
-      slice0cost_reverse_3_2 <= (slice0shift_reference_8 - slice0shift_search_8_2) mod 256;
-      slice0cost_reverse_3_3 <= (slice0shift_reference_8 - slice0shift_search_8_3) mod 256;
-      slice0cost_reverse_3_4 <= (slice0shift_reference_8 - slice0shift_search_8_4) mod 256;
-      slice0cost_reverse_3_5 <= (slice0shift_reference_8 - slice0shift_search_8_5) mod 256;
-      slice0cost_reverse_3_6 <= (slice0shift_reference_8 - slice0shift_search_8_6) mod 256;
-      slice0cost_reverse_3_7 <= (slice0shift_reference_8 - slice0shift_search_8_7) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_1_3 <= slice0cost_pair_1_3_choice + folded(slice0cost_difference_3_3) +
+      slice0cost_pair_1_3 <= folded(slice0cost_difference_4_3) + folded(slice0cost_difference_3_3) +
         as_number((slice0cost_difference_3_3 < 0));
-      slice0cost_pair_1_4 <= slice0cost_pair_1_4_choice + folded(slice0cost_difference_3_4) +
+      slice0cost_pair_1_4 <= folded(slice0cost_difference_4_4) + folded(slice0cost_difference_3_4) +
         as_number((slice0cost_difference_3_4 < 0));
-      slice0cost_pair_1_5 <= slice0cost_pair_1_5_choice + folded(slice0cost_difference_3_5) +
+      slice0cost_pair_1_5 <= folded(slice0cost_difference_4_5) + folded(slice0cost_difference_3_5) +
         as_number((slice0cost_difference_3_5 < 0));
-      slice0cost_pair_1_6 <= slice0cost_pair_1_6_choice + folded(slice0cost_difference_3_6) +
+      slice0cost_pair_1_6 <= folded(slice0cost_difference_4_6) + folded(slice0cost_difference_3_6) +
         as_number((slice0cost_difference_3_6 < 0));
-      slice0cost_pair_1_7 <= slice0cost_pair_1_7_choice + folded(slice0cost_difference_3_7) +
+      slice0cost_pair_1_7 <= folded(slice0cost_difference_4_7) + folded(slice0cost_difference_3_7) +
         as_number((slice0cost_difference_3_7 < 0));
-      slice0cost_pair_2_0 <= slice0cost_pair_2_0_choice + folded(slice0cost_difference_5_0) +
+      slice0cost_pair_2_0 <= folded(slice0cost_difference_6_0) + folded(slice0cost_difference_5_0) +
         as_number((slice0cost_difference_5_0 < 0));
-      slice0cost_pair_2_1 <= slice0cost_pair_2_1_choice + folded(slice0cost_difference_5_1) +
+      slice0cost_pair_2_1 <= folded(slice0cost_difference_6_1) + folded(slice0cost_difference_5_1) +
         as_number((slice0cost_difference_5_1 < 0));
-      slice0cost_pair_2_2 <= slice0cost_pair_2_2_choice + folded(slice0cost_difference_5_2) +
+      slice0cost_pair_2_2 <= folded(slice0cost_difference_6_2) + folded(slice0cost_difference_5_2) +
         as_number((slice0cost_difference_5_2 < 0));
-      slice0cost_pair_2_3 <= slice0cost_pair_2_3_choice + folded(slice0cost_difference_5_3) +
+      slice0cost_pair_2_3 <= folded(slice0cost_difference_6_3) + folded(slice0cost_difference_5_3) +
         as_number((slice0cost_difference_5_3 < 0));
-      slice0cost_pair_2_4 <= slice0cost_pair_2_4_choice + folded(slice0cost_difference_5_4) +
+      slice0cost_pair_2_4 <= folded(slice0cost_difference_6_4) + folded(slice0cost_difference_5_4) +
         as_number((slice0cost_difference_5_4 < 0));
-      slice0cost_pair_2_5 <= slice0cost_pair_2_5_choice + folded(slice0cost_difference_5_5) +
+      slice0cost_pair_2_5 <= folded(slice0cost_difference_6_5) + folded(slice0cost_difference_5_5) +
         as_number((slice0cost_difference_5_5 < 0));
-      slice0cost_pair_2_6 <= slice0cost_pair_2_6_choice + folded(slice0cost_difference_5_6) +
+      slice0cost_pair_2_6 <= folded(slice0cost_difference_6_6) + folded(slice0cost_difference_5_6) +
         as_number((slice0cost_difference_5_6 < 0));
-      slice0cost_pair_2_7 <= slice0cost_pair_2_7_choice + folded(slice0cost_difference_5_7) +
+      slice0cost_pair_2_7 <= folded(slice0cost_difference_6_7) + folded(slice0cost_difference_5_7) +
         as_number((slice0cost_difference_5_7 < 0));
-      slice0cost_pair_3_0 <= slice0cost_pair_3_0_choice + folded(slice0cost_difference_7_0) +
+      slice0cost_pair_3_0 <= folded(slice0cost_difference_8_0) + folded(slice0cost_difference_7_0) +
         as_number((slice0cost_difference_7_0 < 0));
-      slice0cost_pair_3_1 <= slice0cost_pair_3_1_choice + folded(slice0cost_difference_7_1) +
+      slice0cost_pair_3_1 <= folded(slice0cost_difference_8_1) + folded(slice0cost_difference_7_1) +
         as_number((slice0cost_difference_7_1 < 0));
-      slice0cost_pair_3_2 <= slice0cost_pair_3_2_choice + folded(slice0cost_difference_7_2) +
+      slice0cost_pair_3_2 <= folded(slice0cost_difference_8_2) + folded(slice0cost_difference_7_2) +
         as_number((slice0cost_difference_7_2 < 0));
-      slice0cost_pair_3_3 <= slice0cost_pair_3_3_choice + folded(slice0cost_difference_7_3) +
+      slice0cost_pair_3_3 <= folded(slice0cost_difference_8_3) + folded(slice0cost_difference_7_3) +
         as_number((slice0cost_difference_7_3 < 0));
-      slice0cost_pair_3_4 <= slice0cost_pair_3_4_choice + folded(slice0cost_difference_7_4) +
+      slice0cost_pair_3_4 <= folded(slice0cost_difference_8_4) + folded(slice0cost_difference_7_4) +
         as_number((slice0cost_difference_7_4 < 0));
-      slice0cost_pair_3_5 <= slice0cost_pair_3_5_choice + folded(slice0cost_difference_7_5) +
+      slice0cost_pair_3_5 <= folded(slice0cost_difference_8_5) + folded(slice0cost_difference_7_5) +
         as_number((slice0cost_difference_7_5 < 0));
-      slice0cost_pair_3_6 <= slice0cost_pair_3_6_choice + folded(slice0cost_difference_7_6) +
+      slice0cost_pair_3_6 <= folded(slice0cost_difference_8_6) + folded(slice0cost_difference_7_6) +
         as_number((slice0cost_difference_7_6 < 0));
-      slice0cost_pair_3_7 <= slice0cost_pair_3_7_choice + folded(slice0cost_difference_7_7) +
+      slice0cost_pair_3_7 <= folded(slice0cost_difference_8_7) + folded(slice0cost_difference_7_7) +
         as_number((slice0cost_difference_7_7 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_1_3 <= slice0cost_difference_4_3 < 0;
+      slice0cost_negative_1_4 <= slice0cost_difference_4_4 < 0;
+      slice0cost_negative_1_5 <= slice0cost_difference_4_5 < 0;
+      slice0cost_negative_1_6 <= slice0cost_difference_4_6 < 0;
+      slice0cost_negative_1_7 <= slice0cost_difference_4_7 < 0;
+      slice0cost_negative_2_0 <= slice0cost_difference_6_0 < 0;
+      slice0cost_negative_2_1 <= slice0cost_difference_6_1 < 0;
+      slice0cost_negative_2_2 <= slice0cost_difference_6_2 < 0;
+      slice0cost_negative_2_3 <= slice0cost_difference_6_3 < 0;
+      slice0cost_negative_2_4 <= slice0cost_difference_6_4 < 0;
+      slice0cost_negative_2_5 <= slice0cost_difference_6_5 < 0;
+      slice0cost_negative_2_6 <= slice0cost_difference_6_6 < 0;
+      slice0cost_negative_2_7 <= slice0cost_difference_6_7 < 0;
+      slice0cost_negative_3_0 <= slice0cost_difference_8_0 < 0;
+      slice0cost_negative_3_1 <= slice0cost_difference_8_1 < 0;
+      slice0cost_negative_3_2 <= slice0cost_difference_8_2 < 0;
+      slice0cost_negative_3_3 <= slice0cost_difference_8_3 < 0;
+      slice0cost_negative_3_4 <= slice0cost_difference_8_4 < 0;
+      slice0cost_negative_3_5 <= slice0cost_difference_8_5 < 0;
+      slice0cost_negative_3_6 <= slice0cost_difference_8_6 < 0;
+      slice0cost_negative_3_7 <= slice0cost_difference_8_7 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_3_0 +
-        slice0cost_pair_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_3_1 +
-        slice0cost_pair_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_3_2 +
-        slice0cost_pair_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_3 +
-        as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_3_3 +
-        slice0cost_pair_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_4 +
-        as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_3_4 +
-        slice0cost_pair_1_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_5 +
-        as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_3_5 +
-        slice0cost_pair_1_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_6 +
-        as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_3_6 +
-        slice0cost_pair_1_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_7 +
-        as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_3_7 +
-        slice0cost_pair_1_7;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_0) +
+        slice0cost_pair_0_0 + slice0cost_single_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_pair_3_0 +
+        slice0cost_pair_2_0 + as_number(slice0cost_negative_2_0) + slice0cost_pair_1_0 +
+        as_number(slice0cost_negative_3_0);
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_1) +
+        slice0cost_pair_0_1 + slice0cost_single_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_pair_3_1 +
+        slice0cost_pair_2_1 + as_number(slice0cost_negative_2_1) + slice0cost_pair_1_1 +
+        as_number(slice0cost_negative_3_1);
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_2) +
+        slice0cost_pair_0_2 + slice0cost_single_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_pair_3_2 +
+        slice0cost_pair_2_2 + as_number(slice0cost_negative_2_2) + slice0cost_pair_1_2 +
+        as_number(slice0cost_negative_3_2);
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_3) +
+        slice0cost_pair_0_3 + slice0cost_single_0_3 + as_number(slice0cost_negative_0_3) + slice0cost_pair_3_3 +
+        slice0cost_pair_2_3 + as_number(slice0cost_negative_2_3) + slice0cost_pair_1_3 +
+        as_number(slice0cost_negative_3_3);
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_4) +
+        slice0cost_pair_0_4 + slice0cost_single_0_4 + as_number(slice0cost_negative_0_4) + slice0cost_pair_3_4 +
+        slice0cost_pair_2_4 + as_number(slice0cost_negative_2_4) + slice0cost_pair_1_4 +
+        as_number(slice0cost_negative_3_4);
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_5) +
+        slice0cost_pair_0_5 + slice0cost_single_0_5 + as_number(slice0cost_negative_0_5) + slice0cost_pair_3_5 +
+        slice0cost_pair_2_5 + as_number(slice0cost_negative_2_5) + slice0cost_pair_1_5 +
+        as_number(slice0cost_negative_3_5);
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_6) +
+        slice0cost_pair_0_6 + slice0cost_single_0_6 + as_number(slice0cost_negative_0_6) + slice0cost_pair_3_6 +
+        slice0cost_pair_2_6 + as_number(slice0cost_negative_2_6) + slice0cost_pair_1_6 +
+        as_number(slice0cost_negative_3_6);
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_7) +
+        slice0cost_pair_0_7 + slice0cost_single_0_7 + as_number(slice0cost_negative_0_7) + slice0cost_pair_3_7 +
+        slice0cost_pair_2_7 + as_number(slice0cost_negative_2_7) + slice0cost_pair_1_7 +
+        as_number(slice0cost_negative_3_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -1093,64 +994,85 @@ begin
       slice0window_sum_0_7 <= slice0cost_column_0_7 + slice0window_partial_0_7_7;
       slice0window_tag_valid <= slice0cost_tag_valid;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice1window_centre_start_of_frame_1;
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
+        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
         slice0window_tag_output_column <= slice1window_centre_output_column_2;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 15))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 15)))) or (to_unsigned(slice0winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 15))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 15)))) or (to_unsigned(slice0winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 15))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1236,70 +1158,6 @@ begin
       slice1shift_reference_7 <= slice0shift_reference_7;
       slice1shift_reference_8 <= slice0shift_reference_8;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
-      slice1cost_pair_0_5_choice := slice1cost_reverse_0_5 when slice1cost_difference_2_5 < 0 else
-        positive_part(slice1cost_difference_2_5);
-      slice1cost_pair_0_6_choice := slice1cost_reverse_0_6 when slice1cost_difference_2_6 < 0 else
-        positive_part(slice1cost_difference_2_6);
-      slice1cost_pair_0_7_choice := slice1cost_reverse_0_7 when slice1cost_difference_2_7 < 0 else
-        positive_part(slice1cost_difference_2_7);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_3_choice := slice1cost_reverse_1_3 when slice1cost_difference_4_3 < 0 else
-        positive_part(slice1cost_difference_4_3);
-      slice1cost_pair_1_4_choice := slice1cost_reverse_1_4 when slice1cost_difference_4_4 < 0 else
-        positive_part(slice1cost_difference_4_4);
-      slice1cost_pair_1_5_choice := slice1cost_reverse_1_5 when slice1cost_difference_4_5 < 0 else
-        positive_part(slice1cost_difference_4_5);
-      slice1cost_pair_1_6_choice := slice1cost_reverse_1_6 when slice1cost_difference_4_6 < 0 else
-        positive_part(slice1cost_difference_4_6);
-      slice1cost_pair_1_7_choice := slice1cost_reverse_1_7 when slice1cost_difference_4_7 < 0 else
-        positive_part(slice1cost_difference_4_7);
-      slice1cost_pair_2_0_choice := slice1cost_reverse_2_0 when slice1cost_difference_6_0 < 0 else
-        positive_part(slice1cost_difference_6_0);
-      slice1cost_pair_2_1_choice := slice1cost_reverse_2_1 when slice1cost_difference_6_1 < 0 else
-        positive_part(slice1cost_difference_6_1);
-      slice1cost_pair_2_2_choice := slice1cost_reverse_2_2 when slice1cost_difference_6_2 < 0 else
-        positive_part(slice1cost_difference_6_2);
-      slice1cost_pair_2_3_choice := slice1cost_reverse_2_3 when slice1cost_difference_6_3 < 0 else
-        positive_part(slice1cost_difference_6_3);
-      slice1cost_pair_2_4_choice := slice1cost_reverse_2_4 when slice1cost_difference_6_4 < 0 else
-        positive_part(slice1cost_difference_6_4);
-      slice1cost_pair_2_5_choice := slice1cost_reverse_2_5 when slice1cost_difference_6_5 < 0 else
-        positive_part(slice1cost_difference_6_5);
-      slice1cost_pair_2_6_choice := slice1cost_reverse_2_6 when slice1cost_difference_6_6 < 0 else
-        positive_part(slice1cost_difference_6_6);
-      slice1cost_pair_2_7_choice := slice1cost_reverse_2_7 when slice1cost_difference_6_7 < 0 else
-        positive_part(slice1cost_difference_6_7);
-      slice1cost_pair_3_0_choice := slice1cost_reverse_3_0 when slice1cost_difference_8_0 < 0 else
-        positive_part(slice1cost_difference_8_0);
-      slice1cost_pair_3_1_choice := slice1cost_reverse_3_1 when slice1cost_difference_8_1 < 0 else
-        positive_part(slice1cost_difference_8_1);
-      slice1cost_pair_3_2_choice := slice1cost_reverse_3_2 when slice1cost_difference_8_2 < 0 else
-        positive_part(slice1cost_difference_8_2);
-      slice1cost_pair_3_3_choice := slice1cost_reverse_3_3 when slice1cost_difference_8_3 < 0 else
-        positive_part(slice1cost_difference_8_3);
-      slice1cost_pair_3_4_choice := slice1cost_reverse_3_4 when slice1cost_difference_8_4 < 0 else
-        positive_part(slice1cost_difference_8_4);
-      slice1cost_pair_3_5_choice := slice1cost_reverse_3_5 when slice1cost_difference_8_5 < 0 else
-        positive_part(slice1cost_difference_8_5);
-      slice1cost_pair_3_6_choice := slice1cost_reverse_3_6 when slice1cost_difference_8_6 < 0 else
-        positive_part(slice1cost_difference_8_6);
-      slice1cost_pair_3_7_choice := slice1cost_reverse_3_7 when slice1cost_difference_8_7 < 0 else
-        positive_part(slice1cost_difference_8_7);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1372,142 +1230,142 @@ begin
       slice1cost_difference_8_5 <= slice1shift_search_8_5 - slice1shift_reference_8;
       slice1cost_difference_8_6 <= slice1shift_search_8_6 - slice1shift_reference_8;
       slice1cost_difference_8_7 <= slice1shift_search_8_7 - slice1shift_reference_8;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_reverse_0_5 <= (slice1shift_reference_2 - slice1shift_search_2_5) mod 256;
-      slice1cost_reverse_0_6 <= (slice1shift_reference_2 - slice1shift_search_2_6) mod 256;
-      slice1cost_reverse_0_7 <= (slice1shift_reference_2 - slice1shift_search_2_7) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_1_3 <= (slice1shift_reference_4 - slice1shift_search_4_3) mod 256;
-      slice1cost_reverse_1_4 <= (slice1shift_reference_4 - slice1shift_search_4_4) mod 256;
-      slice1cost_reverse_1_5 <= (slice1shift_reference_4 - slice1shift_search_4_5) mod 256;
-      slice1cost_reverse_1_6 <= (slice1shift_reference_4 - slice1shift_search_4_6) mod 256;
-      slice1cost_reverse_1_7 <= (slice1shift_reference_4 - slice1shift_search_4_7) mod 256;
-      slice1cost_reverse_2_0 <= (slice1shift_reference_6 - slice1shift_search_6_0) mod 256;
-      slice1cost_reverse_2_1 <= (slice1shift_reference_6 - slice1shift_search_6_1) mod 256;
-      slice1cost_reverse_2_2 <= (slice1shift_reference_6 - slice1shift_search_6_2) mod 256;
-      slice1cost_reverse_2_3 <= (slice1shift_reference_6 - slice1shift_search_6_3) mod 256;
-      slice1cost_reverse_2_4 <= (slice1shift_reference_6 - slice1shift_search_6_4) mod 256;
-      slice1cost_reverse_2_5 <= (slice1shift_reference_6 - slice1shift_search_6_5) mod 256;
-      slice1cost_reverse_2_6 <= (slice1shift_reference_6 - slice1shift_search_6_6) mod 256;
-      slice1cost_reverse_2_7 <= (slice1shift_reference_6 - slice1shift_search_6_7) mod 256;
-      slice1cost_reverse_3_0 <= (slice1shift_reference_8 - slice1shift_search_8_0) mod 256;
-      slice1cost_reverse_3_1 <= (slice1shift_reference_8 - slice1shift_search_8_1) mod 256;
-      slice1cost_reverse_3_2 <= (slice1shift_reference_8 - slice1shift_search_8_2) mod 256;
-      slice1cost_reverse_3_3 <= (slice1shift_reference_8 - slice1shift_search_8_3) mod 256;
-      slice1cost_reverse_3_4 <= (slice1shift_reference_8 - slice1shift_search_8_4) mod 256;
-      slice1cost_reverse_3_5 <= (slice1shift_reference_8 - slice1shift_search_8_5) mod 256;
-      slice1cost_reverse_3_6 <= (slice1shift_reference_8 - slice1shift_search_8_6) mod 256;
-      slice1cost_reverse_3_7 <= (slice1shift_reference_8 - slice1shift_search_8_7) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_pair_0_5 <= slice1cost_pair_0_5_choice + folded(slice1cost_difference_1_5) +
+      slice1cost_pair_0_5 <= folded(slice1cost_difference_2_5) + folded(slice1cost_difference_1_5) +
         as_number((slice1cost_difference_1_5 < 0));
-      slice1cost_pair_0_6 <= slice1cost_pair_0_6_choice + folded(slice1cost_difference_1_6) +
+      slice1cost_pair_0_6 <= folded(slice1cost_difference_2_6) + folded(slice1cost_difference_1_6) +
         as_number((slice1cost_difference_1_6 < 0));
-      slice1cost_pair_0_7 <= slice1cost_pair_0_7_choice + folded(slice1cost_difference_1_7) +
+      slice1cost_pair_0_7 <= folded(slice1cost_difference_2_7) + folded(slice1cost_difference_1_7) +
         as_number((slice1cost_difference_1_7 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_1_3 <= slice1cost_pair_1_3_choice + folded(slice1cost_difference_3_3) +
+      slice1cost_pair_1_3 <= folded(slice1cost_difference_4_3) + folded(slice1cost_difference_3_3) +
         as_number((slice1cost_difference_3_3 < 0));
-      slice1cost_pair_1_4 <= slice1cost_pair_1_4_choice + folded(slice1cost_difference_3_4) +
+      slice1cost_pair_1_4 <= folded(slice1cost_difference_4_4) + folded(slice1cost_difference_3_4) +
         as_number((slice1cost_difference_3_4 < 0));
-      slice1cost_pair_1_5 <= slice1cost_pair_1_5_choice + folded(slice1cost_difference_3_5) +
+      slice1cost_pair_1_5 <= folded(slice1cost_difference_4_5) + folded(slice1cost_difference_3_5) +
         as_number((slice1cost_difference_3_5 < 0));
-      slice1cost_pair_1_6 <= slice1cost_pair_1_6_choice + folded(slice1cost_difference_3_6) +
+      slice1cost_pair_1_6 <= folded(slice1cost_difference_4_6) + folded(slice1cost_difference_3_6) +
         as_number((slice1cost_difference_3_6 < 0));
-      slice1cost_pair_1_7 <= slice1cost_pair_1_7_choice + folded(slice1cost_difference_3_7) +
+      slice1cost_pair_1_7 <= folded(slice1cost_difference_4_7) + folded(slice1cost_difference_3_7) +
         as_number((slice1cost_difference_3_7 < 0));
-      slice1cost_pair_2_0 <= slice1cost_pair_2_0_choice + folded(slice1cost_difference_5_0) +
+      slice1cost_pair_2_0 <= folded(slice1cost_difference_6_0) + folded(slice1cost_difference_5_0) +
         as_number((slice1cost_difference_5_0 < 0));
-      slice1cost_pair_2_1 <= slice1cost_pair_2_1_choice + folded(slice1cost_difference_5_1) +
+      slice1cost_pair_2_1 <= folded(slice1cost_difference_6_1) + folded(slice1cost_difference_5_1) +
         as_number((slice1cost_difference_5_1 < 0));
-      slice1cost_pair_2_2 <= slice1cost_pair_2_2_choice + folded(slice1cost_difference_5_2) +
+      slice1cost_pair_2_2 <= folded(slice1cost_difference_6_2) + folded(slice1cost_difference_5_2) +
         as_number((slice1cost_difference_5_2 < 0));
-      slice1cost_pair_2_3 <= slice1cost_pair_2_3_choice + folded(slice1cost_difference_5_3) +
+      slice1cost_pair_2_3 <= folded(slice1cost_difference_6_3) + folded(slice1cost_difference_5_3) +
         as_number((slice1cost_difference_5_3 < 0));
-      slice1cost_pair_2_4 <= slice1cost_pair_2_4_choice + folded(slice1cost_difference_5_4) +
+      slice1cost_pair_2_4 <= folded(slice1cost_difference_6_4) + folded(slice1cost_difference_5_4) +
         as_number((slice1cost_difference_5_4 < 0));
-      slice1cost_pair_2_5 <= slice1cost_pair_2_5_choice + folded(slice1cost_difference_5_5) +
+      slice1cost_pair_2_5 <= folded(slice1cost_difference_6_5) + folded(slice1cost_difference_5_5) +
         as_number((slice1cost_difference_5_5 < 0));
-      slice1cost_pair_2_6 <= slice1cost_pair_2_6_choice + folded(slice1cost_difference_5_6) +
+      slice1cost_pair_2_6 <= folded(slice1cost_difference_6_6) + folded(slice1cost_difference_5_6) +
         as_number((slice1cost_difference_5_6 < 0));
-      slice1cost_pair_2_7 <= slice1cost_pair_2_7_choice + folded(slice1cost_difference_5_7) +
+      slice1cost_pair_2_7 <= folded(slice1cost_difference_6_7) + folded(slice1cost_difference_5_7) +
         as_number((slice1cost_difference_5_7 < 0));
-      slice1cost_pair_3_0 <= slice1cost_pair_3_0_choice + folded(slice1cost_difference_7_0) +
+      slice1cost_pair_3_0 <= folded(slice1cost_difference_8_0) + folded(slice1cost_difference_7_0) +
         as_number((slice1cost_difference_7_0 < 0));
-      slice1cost_pair_3_1 <= slice1cost_pair_3_1_choice + folded(slice1cost_difference_7_1) +
+      slice1cost_pair_3_1 <= folded(slice1cost_difference_8_1) + folded(slice1cost_difference_7_1) +
         as_number((slice1cost_difference_7_1 < 0));
-      slice1cost_pair_3_2 <= slice1cost_pair_3_2_choice + folded(slice1cost_difference_7_2) +
+      slice1cost_pair_3_2 <= folded(slice1cost_difference_8_2) + folded(slice1cost_difference_7_2) +
         as_number((slice1cost_difference_7_2 < 0));
-      slice1cost_pair_3_3 <= slice1cost_pair_3_3_choice + folded(slice1cost_difference_7_3) +
+      slice1cost_pair_3_3 <= folded(slice1cost_difference_8_3) + folded(slice1cost_difference_7_3) +
         as_number((slice1cost_difference_7_3 < 0));
-      slice1cost_pair_3_4 <= slice1cost_pair_3_4_choice + folded(slice1cost_difference_7_4) +
+      slice1cost_pair_3_4 <= folded(slice1cost_difference_8_4) + folded(slice1cost_difference_7_4) +
         as_number((slice1cost_difference_7_4 < 0));
-      slice1cost_pair_3_5 <= slice1cost_pair_3_5_choice + folded(slice1cost_difference_7_5) +
+      slice1cost_pair_3_5 <= folded(slice1cost_difference_8_5) + folded(slice1cost_difference_7_5) +
         as_number((slice1cost_difference_7_5 < 0));
-      slice1cost_pair_3_6 <= slice1cost_pair_3_6_choice + folded(slice1cost_difference_7_6) +
+      slice1cost_pair_3_6 <= folded(slice1cost_difference_8_6) + folded(slice1cost_difference_7_6) +
         as_number((slice1cost_difference_7_6 < 0));
-      slice1cost_pair_3_7 <= slice1cost_pair_3_7_choice + folded(slice1cost_difference_7_7) +
+      slice1cost_pair_3_7 <= folded(slice1cost_difference_8_7) + folded(slice1cost_difference_7_7) +
         as_number((slice1cost_difference_7_7 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_single_0_5 <= folded(slice1cost_difference_0_5);
-      slice1cost_single_0_6 <= folded(slice1cost_difference_0_6);
-      slice1cost_single_0_7 <= folded(slice1cost_difference_0_7);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
-      slice1cost_negative_0_5 <= slice1cost_difference_0_5 < 0;
-      slice1cost_negative_0_6 <= slice1cost_difference_0_6 < 0;
-      slice1cost_negative_0_7 <= slice1cost_difference_0_7 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_3_0 +
-        slice1cost_pair_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_3_1 +
-        slice1cost_pair_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_3_2 +
-        slice1cost_pair_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_3 +
-        as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_3_3 +
-        slice1cost_pair_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_4 +
-        as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_3_4 +
-        slice1cost_pair_1_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_5 +
-        as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_3_5 +
-        slice1cost_pair_1_5;
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_6 +
-        as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_3_6 +
-        slice1cost_pair_1_6;
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_7 +
-        as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_3_7 +
-        slice1cost_pair_1_7;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_negative_0_5 <= slice1cost_difference_2_5 < 0;
+      slice1cost_negative_0_6 <= slice1cost_difference_2_6 < 0;
+      slice1cost_negative_0_7 <= slice1cost_difference_2_7 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_1_3 <= slice1cost_difference_4_3 < 0;
+      slice1cost_negative_1_4 <= slice1cost_difference_4_4 < 0;
+      slice1cost_negative_1_5 <= slice1cost_difference_4_5 < 0;
+      slice1cost_negative_1_6 <= slice1cost_difference_4_6 < 0;
+      slice1cost_negative_1_7 <= slice1cost_difference_4_7 < 0;
+      slice1cost_negative_2_0 <= slice1cost_difference_6_0 < 0;
+      slice1cost_negative_2_1 <= slice1cost_difference_6_1 < 0;
+      slice1cost_negative_2_2 <= slice1cost_difference_6_2 < 0;
+      slice1cost_negative_2_3 <= slice1cost_difference_6_3 < 0;
+      slice1cost_negative_2_4 <= slice1cost_difference_6_4 < 0;
+      slice1cost_negative_2_5 <= slice1cost_difference_6_5 < 0;
+      slice1cost_negative_2_6 <= slice1cost_difference_6_6 < 0;
+      slice1cost_negative_2_7 <= slice1cost_difference_6_7 < 0;
+      slice1cost_negative_3_0 <= slice1cost_difference_8_0 < 0;
+      slice1cost_negative_3_1 <= slice1cost_difference_8_1 < 0;
+      slice1cost_negative_3_2 <= slice1cost_difference_8_2 < 0;
+      slice1cost_negative_3_3 <= slice1cost_difference_8_3 < 0;
+      slice1cost_negative_3_4 <= slice1cost_difference_8_4 < 0;
+      slice1cost_negative_3_5 <= slice1cost_difference_8_5 < 0;
+      slice1cost_negative_3_6 <= slice1cost_difference_8_6 < 0;
+      slice1cost_negative_3_7 <= slice1cost_difference_8_7 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
+      slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
+      slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
+      slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
+      slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_0) +
+        slice1cost_pair_0_0 + slice1cost_single_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_pair_3_0 +
+        slice1cost_pair_2_0 + as_number(slice1cost_negative_2_0) + slice1cost_pair_1_0 +
+        as_number(slice1cost_negative_3_0);
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_1) +
+        slice1cost_pair_0_1 + slice1cost_single_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_pair_3_1 +
+        slice1cost_pair_2_1 + as_number(slice1cost_negative_2_1) + slice1cost_pair_1_1 +
+        as_number(slice1cost_negative_3_1);
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_2) +
+        slice1cost_pair_0_2 + slice1cost_single_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_pair_3_2 +
+        slice1cost_pair_2_2 + as_number(slice1cost_negative_2_2) + slice1cost_pair_1_2 +
+        as_number(slice1cost_negative_3_2);
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_3) +
+        slice1cost_pair_0_3 + slice1cost_single_0_3 + as_number(slice1cost_negative_0_3) + slice1cost_pair_3_3 +
+        slice1cost_pair_2_3 + as_number(slice1cost_negative_2_3) + slice1cost_pair_1_3 +
+        as_number(slice1cost_negative_3_3);
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_4) +
+        slice1cost_pair_0_4 + slice1cost_single_0_4 + as_number(slice1cost_negative_0_4) + slice1cost_pair_3_4 +
+        slice1cost_pair_2_4 + as_number(slice1cost_negative_2_4) + slice1cost_pair_1_4 +
+        as_number(slice1cost_negative_3_4);
+      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_5) +
+        slice1cost_pair_0_5 + slice1cost_single_0_5 + as_number(slice1cost_negative_0_5) + slice1cost_pair_3_5 +
+        slice1cost_pair_2_5 + as_number(slice1cost_negative_2_5) + slice1cost_pair_1_5 +
+        as_number(slice1cost_negative_3_5);
+      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_6) +
+        slice1cost_pair_0_6 + slice1cost_single_0_6 + as_number(slice1cost_negative_0_6) + slice1cost_pair_3_6 +
+        slice1cost_pair_2_6 + as_number(slice1cost_negative_2_6) + slice1cost_pair_1_6 +
+        as_number(slice1cost_negative_3_6);
+      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_7) +
+        slice1cost_pair_0_7 + slice1cost_single_0_7 + as_number(slice1cost_negative_0_7) + slice1cost_pair_3_7 +
+        slice1cost_pair_2_7 + as_number(slice1cost_negative_2_7) + slice1cost_pair_1_7 +
+        as_number(slice1cost_negative_3_7);
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1577,8 +1435,6 @@ begin
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
         slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
         slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
-        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-        slice1window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
         slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
         slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
@@ -1592,51 +1448,66 @@ begin
       slice1window_sum_0_6 <= slice1cost_column_0_6 + slice1window_partial_0_7_6;
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_7_7;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 15))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 15)))) or (to_unsigned(slice1winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 15))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 15)))) or (to_unsigned(slice1winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 15))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
+        slice1winner1_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 68;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1677,12 +1548,22 @@ begin
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1691,10 +1572,6 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1702,8 +1579,6 @@ begin
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_output_column_1 <= false;
         slice1window_centre_output_column_2 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
-        slice1window_centre_start_of_frame_1 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1window_centre_end_of_line_1 <= false;
         slice1window_centre_end_of_line_2 <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration study_w9_recursive: 96x64, 16 disparities, window 9x9, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration study_w9_recursive: 320x64, 16 disparities, window 9x9, 1 pixel pair a clock.
 -- Options: disparities 16, window_px 9, aggregation recursive, slice_disparities 8.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config study_w9_recursive
@@ -11,15 +11,15 @@ use ieee.numeric_std.all;
 entity stereo_core_study_w9_recursive is
   generic (
     -- What this core is. A user may state it: another value stops elaboration.
-    width_px : positive := 96;
+    width_px : positive := 320;
     height_px : positive := 64;
     disparities : positive := 16;
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
-    output_width_px : positive := 80;
-    latency_clocks : positive := 18;
-    flush_groups : positive := 387;
-    gap_groups : positive := 384
+    output_width_px : positive := 304;
+    latency_clocks : positive := 19;
+    flush_groups : positive := 1283;
+    gap_groups : positive := 1280
   );
   port (
     clock : in std_logic;
@@ -35,26 +35,18 @@ entity stereo_core_study_w9_recursive is
     disparity_end_of_line : out std_logic
   );
 begin
-  assert width_px = 96 report "stereo_core_study_w9_recursive: width_px is " & integer'image(width_px) & " but this core has 96" severity failure;
+  assert width_px = 320 report "stereo_core_study_w9_recursive: width_px is " & integer'image(width_px) & " but this core has 320" severity failure;
   assert height_px = 64 report "stereo_core_study_w9_recursive: height_px is " & integer'image(height_px) & " but this core has 64" severity failure;
   assert disparities = 16 report "stereo_core_study_w9_recursive: disparities is " & integer'image(disparities) & " but this core has 16" severity failure;
   assert pixels_per_clock = 1 report "stereo_core_study_w9_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_study_w9_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
-  assert output_width_px = 80 report "stereo_core_study_w9_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 80" severity failure;
-  assert latency_clocks = 18 report "stereo_core_study_w9_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
-  assert flush_groups = 387 report "stereo_core_study_w9_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 387" severity failure;
-  assert gap_groups = 384 report "stereo_core_study_w9_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 384" severity failure;
+  assert output_width_px = 304 report "stereo_core_study_w9_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 304" severity failure;
+  assert latency_clocks = 19 report "stereo_core_study_w9_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert flush_groups = 1283 report "stereo_core_study_w9_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 1283" severity failure;
+  assert gap_groups = 1280 report "stereo_core_study_w9_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 1280" severity failure;
 end entity;
 
 architecture rtl of stereo_core_study_w9_recursive is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_study_w9_recursive is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,12 +93,13 @@ architecture rtl of stereo_core_study_w9_recursive is
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid : boolean;
-  signal raster_place_column, raster_place_group : natural range 0 to 127;
+  signal raster_place_column : natural range 0 to 511;
+  signal raster_place_group : natural range 0 to 127;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
-  signal delay_column : natural range 0 to 127;
+  signal delay_column : natural range 0 to 511;
   signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
   signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
   signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
@@ -117,7 +116,7 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_2 : natural range 0 to 255;
   signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_2, rows_search_0 : natural range 0 to 255;
   signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 255;
-  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 511;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
   signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
   signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
@@ -171,8 +170,8 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 255;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5, slice0cost_pixels_cost_1_6 : natural range 0 to 255;
   signal slice0cost_pixels_cost_1_7 : natural range 0 to 255;
-  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 127;
-  signal slice0cost_write_column : natural range 0 to 127;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 511;
+  signal slice0cost_write_column : natural range 0 to 511;
   signal slice0cost_read_words_0, slice0cost_read_words_1, slice0cost_read_words_2 : unsigned(23 downto 0);
   signal slice0cost_read_words_3 : unsigned(23 downto 0);
   signal slice0cost_ready_words_0, slice0cost_ready_words_1, slice0cost_ready_words_2 : natural range 0 to 16777215;
@@ -195,7 +194,8 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
+  signal slice0window_centre_start_of_frame_2, slice0window_centre_start_of_frame_3 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
@@ -205,24 +205,27 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 32767;
   signal slice0window_sum_0_6, slice0window_sum_0_7 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 32767;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_four_0_0 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_7, slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 7;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0 : natural range 0 to 15;
@@ -253,8 +256,8 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 255;
   signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5, slice1cost_pixels_cost_1_6 : natural range 0 to 255;
   signal slice1cost_pixels_cost_1_7 : natural range 0 to 255;
-  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 127;
-  signal slice1cost_write_column : natural range 0 to 127;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 511;
+  signal slice1cost_write_column : natural range 0 to 511;
   signal slice1cost_read_words_0, slice1cost_read_words_1, slice1cost_read_words_2 : unsigned(23 downto 0);
   signal slice1cost_read_words_3 : unsigned(23 downto 0);
   signal slice1cost_ready_words_0, slice1cost_ready_words_1, slice1cost_ready_words_2 : natural range 0 to 16777215;
@@ -277,23 +280,24 @@ architecture rtl of stereo_core_study_w9_recursive is
   signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 32767;
   signal slice1window_sum_0_6, slice1window_sum_0_7 : natural range 0 to 32767;
   signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
-  signal slice1window_centre_output_column_2, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_start_of_frame_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_output_column_2, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_centre_end_of_line_1, slice1window_centre_end_of_line_2 : boolean;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 32767;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_four_0_0 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_7, slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 7;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 15;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -367,7 +371,7 @@ begin
 
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 24);
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
@@ -375,7 +379,7 @@ begin
 
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 24);
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
@@ -383,7 +387,7 @@ begin
 
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 24);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
@@ -391,7 +395,7 @@ begin
 
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
@@ -431,7 +435,7 @@ begin
 
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 24);
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
@@ -439,7 +443,7 @@ begin
 
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 24);
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
@@ -447,7 +451,7 @@ begin
 
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 24);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
@@ -455,7 +459,7 @@ begin
 
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 24)
+    generic map (depth => 320, width => 24)
     port map (
       clock => clock, read_enable => true,
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
@@ -463,7 +467,7 @@ begin
 
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 8);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 96, width => 8)
+    generic map (depth => 320, width => 8)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_2,
@@ -471,7 +475,7 @@ begin
 
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_1,
@@ -479,7 +483,7 @@ begin
 
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -487,7 +491,7 @@ begin
 
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 8);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 96, width => 8)
+    generic map (depth => 320, width => 8)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_2,
@@ -495,7 +499,7 @@ begin
 
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_1,
@@ -503,7 +507,7 @@ begin
 
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 96, width => 32)
+    generic map (depth => 320, width => 32)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
@@ -518,14 +522,14 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
-    variable slice1winner1_best_cost_0_2_is_less, slice1winner1_best_cost_0_3_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_0_1_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_4_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_0_2_is_less : boolean;
+    variable slice1winner1_of_pair_0_4_is_less, slice1winner1_of_pair_0_6_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_0_4_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -561,7 +565,7 @@ begin
   begin
     if rising_edge(clock) then
       -- raster
-      raster_place_group_is_equal := raster_place_column = 95;
+      raster_place_group_is_equal := raster_place_column = 319;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
@@ -569,7 +573,7 @@ begin
         as_number(((raster_place_group /= 68) and raster_place_group_is_equal and in_valid))) mod 128;
       if in_valid then
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 128;
+          mod 512;
       end if;
       -- delay
       if raster_features_valid then
@@ -579,19 +583,19 @@ begin
       delay_tag_first_cost_is_equal := raster_place_column = 15;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65527) mod 65536) < 64;
+      delay_row_inside_0 <= (raster_place_group >= 9) and (raster_place_group < 73);
       delay_row_inside_1 <= not ((raster_place_group / 64) = 1);
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
       delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= ((raster_place_column mod 16) /= 15) and ((raster_place_column / 16) = 0);
+      delay_tag_border_column <= raster_place_column < 15;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (((((raster_place_column / 8) + 8189) mod 8192) * 8) + (raster_place_column mod 8)) <
         65516;
       delay_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
-        64) and (((raster_place_column + 65521) mod 65536) < 80);
-      delay_tag_start_of_frame <= (raster_place_group = 4) and delay_tag_first_cost_is_equal;
-      delay_tag_end_of_line <= raster_place_column = 94;
+        64) and (raster_place_column >= 15) and (raster_place_column < 319);
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 4);
+      delay_tag_end_of_line <= raster_place_column = 318;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -814,11 +818,11 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 128;
+        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
       end if;
       if slice0cost_pixels_first_tag_valid then
         slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 128;
+          mod 512;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 4096) + slice0cost_column_0_0_choice_2;
@@ -924,64 +928,85 @@ begin
         slice0window_sum_0_7 <= (slice0window_sum_0_7_choice + slice0window_change_0_7) mod 32768;
       end if;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice1window_centre_start_of_frame_1;
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
+        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
         slice0window_tag_output_column <= slice1window_centre_output_column_2;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 15))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 15)))) or (to_unsigned(slice0winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 15))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 15)))) or (to_unsigned(slice0winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 15))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1190,49 +1215,62 @@ begin
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
         slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
         slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
-        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-        slice1window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_0;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
         slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
         slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 15))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 15)))) or (to_unsigned(slice1winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 15))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 15)))) or (to_unsigned(slice1winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 15))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
+        slice1winner1_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1305,12 +1343,22 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1319,10 +1367,6 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1336,8 +1380,6 @@ begin
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_output_column_1 <= false;
         slice1window_centre_output_column_2 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
-        slice1window_centre_start_of_frame_1 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1window_centre_end_of_line_1 <= false;
         slice1window_centre_end_of_line_2 <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 42,
+      latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0,
-      core_id => x"4a63d089",
+      core_id => x"5b75f464",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 42,
+      latency_clocks => 49,
       flush_groups => 105,
       gap_groups => 0)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 42,
+      latency_clocks => 49,
       flush_groups => 106,
       gap_groups => 0,
-      core_id => x"a6abf708",
+      core_id => x"b1679d60",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 42,
+      latency_clocks => 49,
       flush_groups => 106,
       gap_groups => 0)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 23,
-      latency_clocks => 45,
+      latency_clocks => 52,
       flush_groups => 171,
       gap_groups => 96,
-      core_id => x"0d939f4b",
+      core_id => x"78839e9e",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 23,
-      latency_clocks => 45,
+      latency_clocks => 52,
       flush_groups => 171,
       gap_groups => 96)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_census: 32x12, 8 disparities, window 3x3, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_census: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 8, cost census, slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_census
@@ -17,7 +17,7 @@ entity stereo_core_tiny_census is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 21;
+    latency_clocks : positive := 23;
     flush_groups : positive := 98;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_census: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_census: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_census: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 21 report "stereo_core_tiny_census: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert latency_clocks = 23 report "stereo_core_tiny_census: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
   assert flush_groups = 98 report "stereo_core_tiny_census: flush_groups is " & integer'image(flush_groups) & " but this core has 98" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_census: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_census is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_census is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -137,10 +135,10 @@ architecture rtl of stereo_core_tiny_census is
   signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
   signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
   signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 15;
@@ -150,7 +148,7 @@ architecture rtl of stereo_core_tiny_census is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -227,12 +225,16 @@ architecture rtl of stereo_core_tiny_census is
   signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1, slice0cost_pixels_cost_2_2 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 48;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
   -- slice0window
   signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 72;
@@ -242,17 +244,18 @@ architecture rtl of stereo_core_tiny_census is
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 216;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 216;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 216;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 216;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 216;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 255;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 216;
+  signal slice0_best_cost_0_0 : natural range 0 to 255;
   signal slice0_best_index_0_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -302,6 +305,8 @@ architecture rtl of stereo_core_tiny_census is
   signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 24;
   signal slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1, slice1cost_pixels_cost_2_2 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_tag_border_column : boolean;
   -- slice1window
@@ -309,13 +314,13 @@ architecture rtl of stereo_core_tiny_census is
   signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 144;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 216;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 216;
-  signal slice1winner1_best_index_0_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 216;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 216;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 216;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 255;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 216;
+  signal slice1_best_cost_0_0 : natural range 0 to 255;
   signal slice1_best_index_0_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -350,6 +355,8 @@ architecture rtl of stereo_core_tiny_census is
   signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -361,6 +368,9 @@ architecture rtl of stereo_core_tiny_census is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0 : natural range 0 to 216;
   signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 216;
+  signal slice2winner3_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -443,712 +453,360 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal_3, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
     variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
     variable transform_read_column_inside_0_value_3, transform_read_column_inside_1_differs : boolean;
-    variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
-    variable transform_left_filter_feature_0_value, transform_left_filter_feature_0_any : boolean;
-    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_is_equal : boolean;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_value_2 : boolean;
-    variable transform_left_filter_feature_0_choice_3, transform_left_filter_feature_0_value_3 : boolean;
-    variable transform_left_filter_feature_0_choice_4, transform_left_filter_feature_0_value_4 : boolean;
-    variable transform_left_filter_feature_0_choice_5, transform_left_filter_feature_0_value_5 : boolean;
-    variable transform_left_filter_feature_0_choice_6, transform_left_filter_feature_0_value_6 : boolean;
-    variable transform_left_filter_feature_0_choice_7, transform_left_filter_feature_0_choice_8 : boolean;
-    variable transform_left_filter_feature_0_choice_9, transform_left_filter_feature_0_choice_10 : boolean;
-    variable transform_left_filter_feature_0_choice_11, transform_left_filter_feature_0_choice_12 : boolean;
-    variable transform_left_filter_feature_0_choice_13, transform_left_filter_feature_0_choice_14 : boolean;
-    variable transform_left_filter_feature_0_choice_15, transform_left_filter_feature_0_choice_16 : boolean;
-    variable transform_left_filter_feature_0_choice_17, transform_left_filter_feature_0_choice_18 : boolean;
-    variable transform_left_filter_feature_0_choice_19, transform_left_filter_feature_0_choice_20 : boolean;
-    variable transform_left_filter_feature_0_choice_21, transform_left_filter_feature_0_choice_22 : boolean;
-    variable transform_left_filter_feature_0_choice_23, transform_left_filter_feature_0_choice_24 : boolean;
-    variable transform_left_filter_feature_0_choice_25, transform_left_filter_feature_0_choice_26 : boolean;
-    variable transform_left_filter_feature_0_choice_27, transform_left_filter_feature_0_choice_28 : boolean;
-    variable transform_left_filter_feature_0_choice_29, transform_left_filter_feature_0_choice_30 : boolean;
-    variable transform_left_filter_feature_0_choice_31, transform_left_filter_feature_0_choice_32 : boolean;
-    variable transform_left_filter_feature_0_choice_33, transform_left_filter_feature_0_choice_34 : boolean;
-    variable transform_left_filter_feature_0_choice_35, transform_left_filter_feature_0_choice_36 : boolean;
-    variable transform_left_filter_feature_0_choice_37, transform_left_filter_feature_0_choice_38 : boolean;
-    variable transform_left_filter_feature_0_choice_39, transform_left_filter_feature_0_choice_40 : boolean;
-    variable transform_left_filter_feature_0_choice_41, transform_left_filter_feature_0_choice_42 : boolean;
-    variable transform_left_filter_feature_0_choice_43, transform_left_filter_feature_0_choice_44 : boolean;
-    variable transform_left_filter_feature_0_choice_45, transform_left_filter_feature_0_choice_46 : boolean;
-    variable transform_left_filter_feature_0_choice_47, transform_left_filter_feature_0_choice_48 : boolean;
-    variable transform_left_filter_feature_0_choice_49, transform_left_filter_feature_0_choice_50 : boolean;
-    variable transform_left_filter_feature_0_choice_51, transform_left_filter_feature_0_choice_52 : boolean;
-    variable transform_left_filter_feature_0_choice_53, transform_left_filter_feature_0_choice_54 : boolean;
-    variable transform_left_filter_feature_0_choice_55, transform_left_filter_feature_0_choice_56 : boolean;
-    variable transform_left_filter_feature_0_choice_57, transform_left_filter_feature_0_choice_58 : boolean;
-    variable transform_left_filter_feature_0_choice_59, transform_left_filter_feature_0_choice_60 : boolean;
-    variable transform_left_filter_feature_0_choice_61, transform_left_filter_feature_0_choice_62 : boolean;
-    variable transform_left_filter_feature_0_choice_63, transform_left_filter_feature_0_choice_64 : boolean;
-    variable transform_left_filter_feature_0_choice_65, transform_left_filter_feature_0_choice_66 : boolean;
-    variable transform_left_filter_feature_0_choice_67, transform_left_filter_feature_0_choice_68 : boolean;
-    variable transform_left_filter_feature_0_choice_69, transform_left_filter_feature_0_choice_70 : boolean;
-    variable transform_left_filter_feature_0_choice_71, transform_left_filter_feature_0_choice_72 : boolean;
-    variable transform_left_filter_feature_0_choice_73, transform_left_filter_feature_0_choice_74 : boolean;
-    variable transform_left_filter_feature_0_choice_75, transform_left_filter_feature_0_choice_76 : boolean;
-    variable transform_left_filter_feature_0_choice_77, transform_left_filter_feature_0_choice_78 : boolean;
-    variable transform_left_filter_feature_0_choice_79, transform_left_filter_feature_0_choice_80 : boolean;
-    variable transform_left_filter_feature_0_choice_81, transform_left_filter_feature_0_choice_82 : boolean;
-    variable transform_left_filter_feature_0_choice_83, transform_left_filter_feature_0_choice_84 : boolean;
-    variable transform_left_filter_feature_0_choice_85, transform_left_filter_feature_0_choice_86 : boolean;
-    variable transform_left_filter_feature_0_choice_87, transform_left_filter_feature_0_choice_88 : boolean;
-    variable transform_left_filter_feature_0_choice_89, transform_left_filter_feature_0_choice_90 : boolean;
-    variable transform_left_filter_feature_0_choice_91, transform_left_filter_feature_0_choice_92 : boolean;
-    variable transform_left_filter_feature_0_choice_93, transform_left_filter_feature_0_choice_94 : boolean;
-    variable transform_left_filter_feature_0_choice_95, transform_left_filter_feature_0_choice_96 : boolean;
-    variable transform_left_filter_feature_0_choice_97, transform_left_filter_feature_0_choice_98 : boolean;
-    variable transform_left_filter_feature_0_choice_99, transform_left_filter_feature_0_choice_100 : boolean;
-    variable transform_left_filter_feature_0_choice_101, transform_left_filter_feature_0_choice_102 : boolean;
-    variable transform_left_filter_feature_0_choice_103, transform_left_filter_feature_0_choice_104 : boolean;
-    variable transform_left_filter_feature_0_choice_105, transform_left_filter_feature_0_choice_106 : boolean;
-    variable transform_left_filter_feature_0_choice_107, transform_left_filter_feature_0_choice_108 : boolean;
-    variable transform_left_filter_feature_0_choice_109, transform_left_filter_feature_0_choice_110 : boolean;
-    variable transform_left_filter_feature_0_choice_111, transform_left_filter_feature_0_choice_112 : boolean;
-    variable transform_left_filter_feature_0_choice_113, transform_left_filter_feature_0_choice_114 : boolean;
-    variable transform_left_filter_feature_0_choice_115, transform_left_filter_feature_0_choice_116 : boolean;
-    variable transform_left_filter_feature_0_choice_117, transform_left_filter_feature_0_choice_118 : boolean;
-    variable transform_left_filter_feature_0_choice_119, transform_left_filter_feature_0_choice_120 : boolean;
-    variable transform_left_filter_feature_0_choice_121, transform_left_filter_feature_0_choice_122 : boolean;
-    variable transform_left_filter_feature_0_choice_123, transform_left_filter_feature_0_choice_124 : boolean;
-    variable transform_left_filter_feature_0_choice_125, transform_left_filter_feature_0_choice_126 : boolean;
-    variable transform_left_filter_feature_0_choice_127, transform_left_filter_feature_0_choice_128 : boolean;
-    variable transform_left_filter_feature_0_choice_129, transform_left_filter_feature_0_choice_130 : boolean;
-    variable transform_left_filter_feature_0_choice_131, transform_left_filter_feature_0_choice_132 : boolean;
-    variable transform_left_filter_feature_0_choice_133, transform_left_filter_feature_0_choice_134 : boolean;
-    variable transform_left_filter_feature_0_choice_135, transform_left_filter_feature_0_choice_136 : boolean;
-    variable transform_left_filter_feature_0_choice_137, transform_left_filter_feature_0_choice_138 : boolean;
-    variable transform_left_filter_feature_0_choice_139, transform_left_filter_feature_0_choice_140 : boolean;
-    variable transform_left_filter_feature_0_choice_141, transform_left_filter_feature_0_choice_142 : boolean;
-    variable transform_left_filter_feature_0_choice_143, transform_left_filter_feature_0_choice_144 : boolean;
-    variable transform_left_filter_feature_0_choice_145, transform_left_filter_feature_0_choice_146 : boolean;
-    variable transform_left_filter_feature_0_choice_147, transform_left_filter_feature_0_choice_148 : boolean;
-    variable transform_left_filter_feature_0_choice_149, transform_left_filter_feature_0_choice_150 : boolean;
-    variable transform_left_filter_feature_0_choice_151, transform_left_filter_feature_0_choice_152 : boolean;
-    variable transform_left_filter_feature_0_choice_153, transform_left_filter_feature_0_choice_154 : boolean;
-    variable transform_left_filter_feature_0_choice_155, transform_left_filter_feature_0_choice_156 : boolean;
-    variable transform_left_filter_feature_0_choice_157, transform_left_filter_feature_0_choice_158 : boolean;
-    variable transform_left_filter_feature_0_choice_159, transform_left_filter_feature_0_choice_160 : boolean;
-    variable transform_left_filter_feature_0_choice_161, transform_left_filter_feature_0_choice_162 : boolean;
-    variable transform_left_filter_feature_0_choice_163, transform_left_filter_feature_0_choice_164 : boolean;
-    variable transform_left_filter_feature_0_choice_165, transform_left_filter_feature_0_choice_166 : boolean;
-    variable transform_left_filter_feature_0_choice_167, transform_left_filter_feature_0_choice_168 : boolean;
-    variable transform_left_filter_feature_0_choice_169, transform_left_filter_feature_0_choice_170 : boolean;
-    variable transform_left_filter_feature_0_choice_171, transform_left_filter_feature_0_choice_172 : boolean;
-    variable transform_left_filter_feature_0_choice_173, transform_left_filter_feature_0_choice_174 : boolean;
-    variable transform_left_filter_feature_0_choice_175, transform_left_filter_feature_0_choice_176 : boolean;
-    variable transform_left_filter_feature_0_choice_177, transform_left_filter_feature_0_choice_178 : boolean;
-    variable transform_left_filter_feature_0_choice_179, transform_left_filter_feature_0_choice_180 : boolean;
-    variable transform_left_filter_feature_0_choice_181, transform_left_filter_feature_0_choice_182 : boolean;
-    variable transform_left_filter_feature_0_choice_183, transform_left_filter_feature_0_choice_184 : boolean;
-    variable transform_left_filter_feature_0_choice_185, transform_left_filter_feature_0_choice_186 : boolean;
-    variable transform_left_filter_feature_0_value_7, transform_left_filter_feature_0_choice_187 : boolean;
-    variable transform_left_filter_feature_0_value_8, transform_left_filter_feature_0_choice_188 : boolean;
-    variable transform_left_filter_feature_0_value_9, transform_left_filter_feature_0_choice_189 : boolean;
-    variable transform_left_filter_feature_0_value_10, transform_left_filter_feature_0_choice_190 : boolean;
-    variable transform_left_filter_feature_0_value_11, transform_left_filter_feature_0_choice_191 : boolean;
-    variable transform_left_filter_feature_0_choice_192, transform_right_filter_feature_0_value : boolean;
-    variable transform_right_filter_feature_0_any, transform_right_filter_feature_0_choice : boolean;
-    variable transform_right_filter_feature_0_is_equal, transform_right_filter_feature_0_choice_2 : boolean;
-    variable transform_right_filter_feature_0_value_2, transform_right_filter_feature_0_choice_3 : boolean;
-    variable transform_right_filter_feature_0_value_3, transform_right_filter_feature_0_choice_4 : boolean;
-    variable transform_right_filter_feature_0_value_4, transform_right_filter_feature_0_choice_5 : boolean;
-    variable transform_right_filter_feature_0_value_5, transform_right_filter_feature_0_choice_6 : boolean;
-    variable transform_right_filter_feature_0_value_6, transform_right_filter_feature_0_choice_7 : boolean;
-    variable transform_right_filter_feature_0_choice_8, transform_right_filter_feature_0_choice_9 : boolean;
-    variable transform_right_filter_feature_0_choice_10, transform_right_filter_feature_0_choice_11 : boolean;
-    variable transform_right_filter_feature_0_choice_12, transform_right_filter_feature_0_choice_13 : boolean;
-    variable transform_right_filter_feature_0_choice_14, transform_right_filter_feature_0_choice_15 : boolean;
-    variable transform_right_filter_feature_0_choice_16, transform_right_filter_feature_0_choice_17 : boolean;
-    variable transform_right_filter_feature_0_choice_18, transform_right_filter_feature_0_choice_19 : boolean;
-    variable transform_right_filter_feature_0_choice_20, transform_right_filter_feature_0_choice_21 : boolean;
-    variable transform_right_filter_feature_0_choice_22, transform_right_filter_feature_0_choice_23 : boolean;
-    variable transform_right_filter_feature_0_choice_24, transform_right_filter_feature_0_choice_25 : boolean;
-    variable transform_right_filter_feature_0_choice_26, transform_right_filter_feature_0_choice_27 : boolean;
-    variable transform_right_filter_feature_0_choice_28, transform_right_filter_feature_0_choice_29 : boolean;
-    variable transform_right_filter_feature_0_choice_30, transform_right_filter_feature_0_choice_31 : boolean;
-    variable transform_right_filter_feature_0_choice_32, transform_right_filter_feature_0_choice_33 : boolean;
-    variable transform_right_filter_feature_0_choice_34, transform_right_filter_feature_0_choice_35 : boolean;
-    variable transform_right_filter_feature_0_choice_36, transform_right_filter_feature_0_choice_37 : boolean;
-    variable transform_right_filter_feature_0_choice_38, transform_right_filter_feature_0_choice_39 : boolean;
-    variable transform_right_filter_feature_0_choice_40, transform_right_filter_feature_0_choice_41 : boolean;
-    variable transform_right_filter_feature_0_choice_42, transform_right_filter_feature_0_choice_43 : boolean;
-    variable transform_right_filter_feature_0_choice_44, transform_right_filter_feature_0_choice_45 : boolean;
-    variable transform_right_filter_feature_0_choice_46, transform_right_filter_feature_0_choice_47 : boolean;
-    variable transform_right_filter_feature_0_choice_48, transform_right_filter_feature_0_choice_49 : boolean;
-    variable transform_right_filter_feature_0_choice_50, transform_right_filter_feature_0_choice_51 : boolean;
-    variable transform_right_filter_feature_0_choice_52, transform_right_filter_feature_0_choice_53 : boolean;
-    variable transform_right_filter_feature_0_choice_54, transform_right_filter_feature_0_choice_55 : boolean;
-    variable transform_right_filter_feature_0_choice_56, transform_right_filter_feature_0_choice_57 : boolean;
-    variable transform_right_filter_feature_0_choice_58, transform_right_filter_feature_0_choice_59 : boolean;
-    variable transform_right_filter_feature_0_choice_60, transform_right_filter_feature_0_choice_61 : boolean;
-    variable transform_right_filter_feature_0_choice_62, transform_right_filter_feature_0_choice_63 : boolean;
-    variable transform_right_filter_feature_0_choice_64, transform_right_filter_feature_0_choice_65 : boolean;
-    variable transform_right_filter_feature_0_choice_66, transform_right_filter_feature_0_choice_67 : boolean;
-    variable transform_right_filter_feature_0_choice_68, transform_right_filter_feature_0_choice_69 : boolean;
-    variable transform_right_filter_feature_0_choice_70, transform_right_filter_feature_0_choice_71 : boolean;
-    variable transform_right_filter_feature_0_choice_72, transform_right_filter_feature_0_choice_73 : boolean;
-    variable transform_right_filter_feature_0_choice_74, transform_right_filter_feature_0_choice_75 : boolean;
-    variable transform_right_filter_feature_0_choice_76, transform_right_filter_feature_0_choice_77 : boolean;
-    variable transform_right_filter_feature_0_choice_78, transform_right_filter_feature_0_choice_79 : boolean;
-    variable transform_right_filter_feature_0_choice_80, transform_right_filter_feature_0_choice_81 : boolean;
-    variable transform_right_filter_feature_0_choice_82, transform_right_filter_feature_0_choice_83 : boolean;
-    variable transform_right_filter_feature_0_choice_84, transform_right_filter_feature_0_choice_85 : boolean;
-    variable transform_right_filter_feature_0_choice_86, transform_right_filter_feature_0_choice_87 : boolean;
-    variable transform_right_filter_feature_0_choice_88, transform_right_filter_feature_0_choice_89 : boolean;
-    variable transform_right_filter_feature_0_choice_90, transform_right_filter_feature_0_choice_91 : boolean;
-    variable transform_right_filter_feature_0_choice_92, transform_right_filter_feature_0_choice_93 : boolean;
-    variable transform_right_filter_feature_0_choice_94, transform_right_filter_feature_0_choice_95 : boolean;
-    variable transform_right_filter_feature_0_choice_96, transform_right_filter_feature_0_choice_97 : boolean;
-    variable transform_right_filter_feature_0_choice_98, transform_right_filter_feature_0_choice_99 : boolean;
-    variable transform_right_filter_feature_0_choice_100, transform_right_filter_feature_0_choice_101 : boolean;
-    variable transform_right_filter_feature_0_choice_102, transform_right_filter_feature_0_choice_103 : boolean;
-    variable transform_right_filter_feature_0_choice_104, transform_right_filter_feature_0_choice_105 : boolean;
-    variable transform_right_filter_feature_0_choice_106, transform_right_filter_feature_0_choice_107 : boolean;
-    variable transform_right_filter_feature_0_choice_108, transform_right_filter_feature_0_choice_109 : boolean;
-    variable transform_right_filter_feature_0_choice_110, transform_right_filter_feature_0_choice_111 : boolean;
-    variable transform_right_filter_feature_0_choice_112, transform_right_filter_feature_0_choice_113 : boolean;
-    variable transform_right_filter_feature_0_choice_114, transform_right_filter_feature_0_choice_115 : boolean;
-    variable transform_right_filter_feature_0_choice_116, transform_right_filter_feature_0_choice_117 : boolean;
-    variable transform_right_filter_feature_0_choice_118, transform_right_filter_feature_0_choice_119 : boolean;
-    variable transform_right_filter_feature_0_choice_120, transform_right_filter_feature_0_choice_121 : boolean;
-    variable transform_right_filter_feature_0_choice_122, transform_right_filter_feature_0_choice_123 : boolean;
-    variable transform_right_filter_feature_0_choice_124, transform_right_filter_feature_0_choice_125 : boolean;
-    variable transform_right_filter_feature_0_choice_126, transform_right_filter_feature_0_choice_127 : boolean;
-    variable transform_right_filter_feature_0_choice_128, transform_right_filter_feature_0_choice_129 : boolean;
-    variable transform_right_filter_feature_0_choice_130, transform_right_filter_feature_0_choice_131 : boolean;
-    variable transform_right_filter_feature_0_choice_132, transform_right_filter_feature_0_choice_133 : boolean;
-    variable transform_right_filter_feature_0_choice_134, transform_right_filter_feature_0_choice_135 : boolean;
-    variable transform_right_filter_feature_0_choice_136, transform_right_filter_feature_0_choice_137 : boolean;
-    variable transform_right_filter_feature_0_choice_138, transform_right_filter_feature_0_choice_139 : boolean;
-    variable transform_right_filter_feature_0_choice_140, transform_right_filter_feature_0_choice_141 : boolean;
-    variable transform_right_filter_feature_0_choice_142, transform_right_filter_feature_0_choice_143 : boolean;
-    variable transform_right_filter_feature_0_choice_144, transform_right_filter_feature_0_choice_145 : boolean;
-    variable transform_right_filter_feature_0_choice_146, transform_right_filter_feature_0_choice_147 : boolean;
-    variable transform_right_filter_feature_0_choice_148, transform_right_filter_feature_0_choice_149 : boolean;
-    variable transform_right_filter_feature_0_choice_150, transform_right_filter_feature_0_choice_151 : boolean;
-    variable transform_right_filter_feature_0_choice_152, transform_right_filter_feature_0_choice_153 : boolean;
-    variable transform_right_filter_feature_0_choice_154, transform_right_filter_feature_0_choice_155 : boolean;
-    variable transform_right_filter_feature_0_choice_156, transform_right_filter_feature_0_choice_157 : boolean;
-    variable transform_right_filter_feature_0_choice_158, transform_right_filter_feature_0_choice_159 : boolean;
-    variable transform_right_filter_feature_0_choice_160, transform_right_filter_feature_0_choice_161 : boolean;
-    variable transform_right_filter_feature_0_choice_162, transform_right_filter_feature_0_choice_163 : boolean;
-    variable transform_right_filter_feature_0_choice_164, transform_right_filter_feature_0_choice_165 : boolean;
-    variable transform_right_filter_feature_0_choice_166, transform_right_filter_feature_0_choice_167 : boolean;
-    variable transform_right_filter_feature_0_choice_168, transform_right_filter_feature_0_choice_169 : boolean;
-    variable transform_right_filter_feature_0_choice_170, transform_right_filter_feature_0_choice_171 : boolean;
-    variable transform_right_filter_feature_0_choice_172, transform_right_filter_feature_0_choice_173 : boolean;
-    variable transform_right_filter_feature_0_choice_174, transform_right_filter_feature_0_choice_175 : boolean;
-    variable transform_right_filter_feature_0_choice_176, transform_right_filter_feature_0_choice_177 : boolean;
-    variable transform_right_filter_feature_0_choice_178, transform_right_filter_feature_0_choice_179 : boolean;
-    variable transform_right_filter_feature_0_choice_180, transform_right_filter_feature_0_choice_181 : boolean;
-    variable transform_right_filter_feature_0_choice_182, transform_right_filter_feature_0_choice_183 : boolean;
-    variable transform_right_filter_feature_0_choice_184, transform_right_filter_feature_0_choice_185 : boolean;
-    variable transform_right_filter_feature_0_choice_186, transform_right_filter_feature_0_value_7 : boolean;
-    variable transform_right_filter_feature_0_choice_187, transform_right_filter_feature_0_value_8 : boolean;
-    variable transform_right_filter_feature_0_choice_188, transform_right_filter_feature_0_value_9 : boolean;
-    variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
-    variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
-    variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice, delay_row_inside_1_is_less : boolean;
+    variable transform_read_column_inside_3_choice, transform_left_filter_feature_0_value : boolean;
+    variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
+    variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
+    variable transform_left_filter_feature_0_value_2, transform_left_filter_feature_0_choice_3 : boolean;
+    variable transform_left_filter_feature_0_value_3, transform_left_filter_feature_0_choice_4 : boolean;
+    variable transform_left_filter_feature_0_value_4, transform_left_filter_feature_0_choice_5 : boolean;
+    variable transform_left_filter_feature_0_value_5, transform_left_filter_feature_0_choice_6 : boolean;
+    variable transform_left_filter_feature_0_value_6, transform_left_filter_feature_0_choice_7 : boolean;
+    variable transform_left_filter_feature_0_choice_8, transform_left_filter_feature_0_choice_9 : boolean;
+    variable transform_left_filter_feature_0_choice_10, transform_left_filter_feature_0_choice_11 : boolean;
+    variable transform_left_filter_feature_0_choice_12, transform_left_filter_feature_0_choice_13 : boolean;
+    variable transform_left_filter_feature_0_choice_14, transform_left_filter_feature_0_choice_15 : boolean;
+    variable transform_left_filter_feature_0_choice_16, transform_left_filter_feature_0_choice_17 : boolean;
+    variable transform_left_filter_feature_0_choice_18, transform_left_filter_feature_0_choice_19 : boolean;
+    variable transform_left_filter_feature_0_choice_20, transform_left_filter_feature_0_choice_21 : boolean;
+    variable transform_left_filter_feature_0_choice_22, transform_left_filter_feature_0_choice_23 : boolean;
+    variable transform_left_filter_feature_0_choice_24, transform_left_filter_feature_0_choice_25 : boolean;
+    variable transform_left_filter_feature_0_choice_26, transform_left_filter_feature_0_choice_27 : boolean;
+    variable transform_left_filter_feature_0_choice_28, transform_left_filter_feature_0_choice_29 : boolean;
+    variable transform_left_filter_feature_0_choice_30, transform_left_filter_feature_0_choice_31 : boolean;
+    variable transform_left_filter_feature_0_choice_32, transform_left_filter_feature_0_choice_33 : boolean;
+    variable transform_left_filter_feature_0_choice_34, transform_left_filter_feature_0_choice_35 : boolean;
+    variable transform_left_filter_feature_0_choice_36, transform_left_filter_feature_0_choice_37 : boolean;
+    variable transform_left_filter_feature_0_choice_38, transform_left_filter_feature_0_choice_39 : boolean;
+    variable transform_left_filter_feature_0_choice_40, transform_left_filter_feature_0_choice_41 : boolean;
+    variable transform_left_filter_feature_0_choice_42, transform_left_filter_feature_0_choice_43 : boolean;
+    variable transform_left_filter_feature_0_choice_44, transform_left_filter_feature_0_choice_45 : boolean;
+    variable transform_left_filter_feature_0_choice_46, transform_left_filter_feature_0_choice_47 : boolean;
+    variable transform_left_filter_feature_0_choice_48, transform_left_filter_feature_0_choice_49 : boolean;
+    variable transform_left_filter_feature_0_choice_50, transform_left_filter_feature_0_choice_51 : boolean;
+    variable transform_left_filter_feature_0_choice_52, transform_left_filter_feature_0_choice_53 : boolean;
+    variable transform_left_filter_feature_0_choice_54, transform_left_filter_feature_0_choice_55 : boolean;
+    variable transform_left_filter_feature_0_choice_56, transform_left_filter_feature_0_choice_57 : boolean;
+    variable transform_left_filter_feature_0_choice_58, transform_left_filter_feature_0_choice_59 : boolean;
+    variable transform_left_filter_feature_0_choice_60, transform_left_filter_feature_0_choice_61 : boolean;
+    variable transform_left_filter_feature_0_choice_62, transform_left_filter_feature_0_choice_63 : boolean;
+    variable transform_left_filter_feature_0_choice_64, transform_left_filter_feature_0_choice_65 : boolean;
+    variable transform_left_filter_feature_0_choice_66, transform_left_filter_feature_0_choice_67 : boolean;
+    variable transform_left_filter_feature_0_choice_68, transform_left_filter_feature_0_choice_69 : boolean;
+    variable transform_left_filter_feature_0_choice_70, transform_left_filter_feature_0_choice_71 : boolean;
+    variable transform_left_filter_feature_0_choice_72, transform_left_filter_feature_0_choice_73 : boolean;
+    variable transform_left_filter_feature_0_choice_74, transform_left_filter_feature_0_choice_75 : boolean;
+    variable transform_left_filter_feature_0_choice_76, transform_left_filter_feature_0_choice_77 : boolean;
+    variable transform_left_filter_feature_0_choice_78, transform_left_filter_feature_0_choice_79 : boolean;
+    variable transform_left_filter_feature_0_choice_80, transform_left_filter_feature_0_choice_81 : boolean;
+    variable transform_left_filter_feature_0_choice_82, transform_left_filter_feature_0_choice_83 : boolean;
+    variable transform_left_filter_feature_0_choice_84, transform_left_filter_feature_0_choice_85 : boolean;
+    variable transform_left_filter_feature_0_choice_86, transform_left_filter_feature_0_choice_87 : boolean;
+    variable transform_left_filter_feature_0_choice_88, transform_left_filter_feature_0_choice_89 : boolean;
+    variable transform_left_filter_feature_0_choice_90, transform_left_filter_feature_0_choice_91 : boolean;
+    variable transform_left_filter_feature_0_choice_92, transform_left_filter_feature_0_choice_93 : boolean;
+    variable transform_left_filter_feature_0_choice_94, transform_left_filter_feature_0_choice_95 : boolean;
+    variable transform_left_filter_feature_0_choice_96, transform_left_filter_feature_0_choice_97 : boolean;
+    variable transform_left_filter_feature_0_choice_98, transform_left_filter_feature_0_choice_99 : boolean;
+    variable transform_left_filter_feature_0_choice_100, transform_left_filter_feature_0_choice_101 : boolean;
+    variable transform_left_filter_feature_0_choice_102, transform_left_filter_feature_0_choice_103 : boolean;
+    variable transform_left_filter_feature_0_choice_104, transform_left_filter_feature_0_choice_105 : boolean;
+    variable transform_left_filter_feature_0_choice_106, transform_left_filter_feature_0_choice_107 : boolean;
+    variable transform_left_filter_feature_0_choice_108, transform_left_filter_feature_0_choice_109 : boolean;
+    variable transform_left_filter_feature_0_choice_110, transform_left_filter_feature_0_choice_111 : boolean;
+    variable transform_left_filter_feature_0_choice_112, transform_left_filter_feature_0_choice_113 : boolean;
+    variable transform_left_filter_feature_0_choice_114, transform_left_filter_feature_0_choice_115 : boolean;
+    variable transform_left_filter_feature_0_choice_116, transform_left_filter_feature_0_choice_117 : boolean;
+    variable transform_left_filter_feature_0_choice_118, transform_left_filter_feature_0_choice_119 : boolean;
+    variable transform_left_filter_feature_0_choice_120, transform_left_filter_feature_0_choice_121 : boolean;
+    variable transform_left_filter_feature_0_choice_122, transform_left_filter_feature_0_choice_123 : boolean;
+    variable transform_left_filter_feature_0_choice_124, transform_left_filter_feature_0_choice_125 : boolean;
+    variable transform_left_filter_feature_0_choice_126, transform_left_filter_feature_0_choice_127 : boolean;
+    variable transform_left_filter_feature_0_choice_128, transform_left_filter_feature_0_choice_129 : boolean;
+    variable transform_left_filter_feature_0_choice_130, transform_left_filter_feature_0_choice_131 : boolean;
+    variable transform_left_filter_feature_0_choice_132, transform_left_filter_feature_0_choice_133 : boolean;
+    variable transform_left_filter_feature_0_choice_134, transform_left_filter_feature_0_choice_135 : boolean;
+    variable transform_left_filter_feature_0_choice_136, transform_left_filter_feature_0_choice_137 : boolean;
+    variable transform_left_filter_feature_0_choice_138, transform_left_filter_feature_0_choice_139 : boolean;
+    variable transform_left_filter_feature_0_choice_140, transform_left_filter_feature_0_choice_141 : boolean;
+    variable transform_left_filter_feature_0_choice_142, transform_left_filter_feature_0_choice_143 : boolean;
+    variable transform_left_filter_feature_0_choice_144, transform_left_filter_feature_0_choice_145 : boolean;
+    variable transform_left_filter_feature_0_choice_146, transform_left_filter_feature_0_choice_147 : boolean;
+    variable transform_left_filter_feature_0_choice_148, transform_left_filter_feature_0_choice_149 : boolean;
+    variable transform_left_filter_feature_0_choice_150, transform_left_filter_feature_0_choice_151 : boolean;
+    variable transform_left_filter_feature_0_choice_152, transform_left_filter_feature_0_choice_153 : boolean;
+    variable transform_left_filter_feature_0_choice_154, transform_left_filter_feature_0_choice_155 : boolean;
+    variable transform_left_filter_feature_0_choice_156, transform_left_filter_feature_0_choice_157 : boolean;
+    variable transform_left_filter_feature_0_choice_158, transform_left_filter_feature_0_choice_159 : boolean;
+    variable transform_left_filter_feature_0_choice_160, transform_left_filter_feature_0_choice_161 : boolean;
+    variable transform_left_filter_feature_0_choice_162, transform_left_filter_feature_0_choice_163 : boolean;
+    variable transform_left_filter_feature_0_choice_164, transform_left_filter_feature_0_choice_165 : boolean;
+    variable transform_left_filter_feature_0_choice_166, transform_left_filter_feature_0_choice_167 : boolean;
+    variable transform_left_filter_feature_0_choice_168, transform_left_filter_feature_0_choice_169 : boolean;
+    variable transform_left_filter_feature_0_choice_170, transform_left_filter_feature_0_choice_171 : boolean;
+    variable transform_left_filter_feature_0_choice_172, transform_left_filter_feature_0_choice_173 : boolean;
+    variable transform_left_filter_feature_0_choice_174, transform_left_filter_feature_0_choice_175 : boolean;
+    variable transform_left_filter_feature_0_choice_176, transform_left_filter_feature_0_choice_177 : boolean;
+    variable transform_left_filter_feature_0_choice_178, transform_left_filter_feature_0_choice_179 : boolean;
+    variable transform_left_filter_feature_0_choice_180, transform_left_filter_feature_0_choice_181 : boolean;
+    variable transform_left_filter_feature_0_choice_182, transform_left_filter_feature_0_choice_183 : boolean;
+    variable transform_left_filter_feature_0_choice_184, transform_left_filter_feature_0_choice_185 : boolean;
+    variable transform_left_filter_feature_0_choice_186, transform_left_filter_feature_0_value_7 : boolean;
+    variable transform_left_filter_feature_0_choice_187, transform_left_filter_feature_0_value_8 : boolean;
+    variable transform_left_filter_feature_0_choice_188, transform_left_filter_feature_0_value_9 : boolean;
+    variable transform_left_filter_feature_0_choice_189, transform_left_filter_feature_0_value_10 : boolean;
+    variable transform_left_filter_feature_0_choice_190, transform_left_filter_feature_0_value_11 : boolean;
+    variable transform_left_filter_feature_0_choice_191, transform_left_filter_feature_0_choice_192 : boolean;
+    variable transform_right_filter_feature_0_value, transform_right_filter_feature_0_any : boolean;
+    variable transform_right_filter_feature_0_choice, transform_right_filter_feature_0_is_equal : boolean;
+    variable transform_right_filter_feature_0_choice_2, transform_right_filter_feature_0_value_2 : boolean;
+    variable transform_right_filter_feature_0_choice_3, transform_right_filter_feature_0_value_3 : boolean;
+    variable transform_right_filter_feature_0_choice_4, transform_right_filter_feature_0_value_4 : boolean;
+    variable transform_right_filter_feature_0_choice_5, transform_right_filter_feature_0_value_5 : boolean;
+    variable transform_right_filter_feature_0_choice_6, transform_right_filter_feature_0_value_6 : boolean;
+    variable transform_right_filter_feature_0_choice_7, transform_right_filter_feature_0_choice_8 : boolean;
+    variable transform_right_filter_feature_0_choice_9, transform_right_filter_feature_0_choice_10 : boolean;
+    variable transform_right_filter_feature_0_choice_11, transform_right_filter_feature_0_choice_12 : boolean;
+    variable transform_right_filter_feature_0_choice_13, transform_right_filter_feature_0_choice_14 : boolean;
+    variable transform_right_filter_feature_0_choice_15, transform_right_filter_feature_0_choice_16 : boolean;
+    variable transform_right_filter_feature_0_choice_17, transform_right_filter_feature_0_choice_18 : boolean;
+    variable transform_right_filter_feature_0_choice_19, transform_right_filter_feature_0_choice_20 : boolean;
+    variable transform_right_filter_feature_0_choice_21, transform_right_filter_feature_0_choice_22 : boolean;
+    variable transform_right_filter_feature_0_choice_23, transform_right_filter_feature_0_choice_24 : boolean;
+    variable transform_right_filter_feature_0_choice_25, transform_right_filter_feature_0_choice_26 : boolean;
+    variable transform_right_filter_feature_0_choice_27, transform_right_filter_feature_0_choice_28 : boolean;
+    variable transform_right_filter_feature_0_choice_29, transform_right_filter_feature_0_choice_30 : boolean;
+    variable transform_right_filter_feature_0_choice_31, transform_right_filter_feature_0_choice_32 : boolean;
+    variable transform_right_filter_feature_0_choice_33, transform_right_filter_feature_0_choice_34 : boolean;
+    variable transform_right_filter_feature_0_choice_35, transform_right_filter_feature_0_choice_36 : boolean;
+    variable transform_right_filter_feature_0_choice_37, transform_right_filter_feature_0_choice_38 : boolean;
+    variable transform_right_filter_feature_0_choice_39, transform_right_filter_feature_0_choice_40 : boolean;
+    variable transform_right_filter_feature_0_choice_41, transform_right_filter_feature_0_choice_42 : boolean;
+    variable transform_right_filter_feature_0_choice_43, transform_right_filter_feature_0_choice_44 : boolean;
+    variable transform_right_filter_feature_0_choice_45, transform_right_filter_feature_0_choice_46 : boolean;
+    variable transform_right_filter_feature_0_choice_47, transform_right_filter_feature_0_choice_48 : boolean;
+    variable transform_right_filter_feature_0_choice_49, transform_right_filter_feature_0_choice_50 : boolean;
+    variable transform_right_filter_feature_0_choice_51, transform_right_filter_feature_0_choice_52 : boolean;
+    variable transform_right_filter_feature_0_choice_53, transform_right_filter_feature_0_choice_54 : boolean;
+    variable transform_right_filter_feature_0_choice_55, transform_right_filter_feature_0_choice_56 : boolean;
+    variable transform_right_filter_feature_0_choice_57, transform_right_filter_feature_0_choice_58 : boolean;
+    variable transform_right_filter_feature_0_choice_59, transform_right_filter_feature_0_choice_60 : boolean;
+    variable transform_right_filter_feature_0_choice_61, transform_right_filter_feature_0_choice_62 : boolean;
+    variable transform_right_filter_feature_0_choice_63, transform_right_filter_feature_0_choice_64 : boolean;
+    variable transform_right_filter_feature_0_choice_65, transform_right_filter_feature_0_choice_66 : boolean;
+    variable transform_right_filter_feature_0_choice_67, transform_right_filter_feature_0_choice_68 : boolean;
+    variable transform_right_filter_feature_0_choice_69, transform_right_filter_feature_0_choice_70 : boolean;
+    variable transform_right_filter_feature_0_choice_71, transform_right_filter_feature_0_choice_72 : boolean;
+    variable transform_right_filter_feature_0_choice_73, transform_right_filter_feature_0_choice_74 : boolean;
+    variable transform_right_filter_feature_0_choice_75, transform_right_filter_feature_0_choice_76 : boolean;
+    variable transform_right_filter_feature_0_choice_77, transform_right_filter_feature_0_choice_78 : boolean;
+    variable transform_right_filter_feature_0_choice_79, transform_right_filter_feature_0_choice_80 : boolean;
+    variable transform_right_filter_feature_0_choice_81, transform_right_filter_feature_0_choice_82 : boolean;
+    variable transform_right_filter_feature_0_choice_83, transform_right_filter_feature_0_choice_84 : boolean;
+    variable transform_right_filter_feature_0_choice_85, transform_right_filter_feature_0_choice_86 : boolean;
+    variable transform_right_filter_feature_0_choice_87, transform_right_filter_feature_0_choice_88 : boolean;
+    variable transform_right_filter_feature_0_choice_89, transform_right_filter_feature_0_choice_90 : boolean;
+    variable transform_right_filter_feature_0_choice_91, transform_right_filter_feature_0_choice_92 : boolean;
+    variable transform_right_filter_feature_0_choice_93, transform_right_filter_feature_0_choice_94 : boolean;
+    variable transform_right_filter_feature_0_choice_95, transform_right_filter_feature_0_choice_96 : boolean;
+    variable transform_right_filter_feature_0_choice_97, transform_right_filter_feature_0_choice_98 : boolean;
+    variable transform_right_filter_feature_0_choice_99, transform_right_filter_feature_0_choice_100 : boolean;
+    variable transform_right_filter_feature_0_choice_101, transform_right_filter_feature_0_choice_102 : boolean;
+    variable transform_right_filter_feature_0_choice_103, transform_right_filter_feature_0_choice_104 : boolean;
+    variable transform_right_filter_feature_0_choice_105, transform_right_filter_feature_0_choice_106 : boolean;
+    variable transform_right_filter_feature_0_choice_107, transform_right_filter_feature_0_choice_108 : boolean;
+    variable transform_right_filter_feature_0_choice_109, transform_right_filter_feature_0_choice_110 : boolean;
+    variable transform_right_filter_feature_0_choice_111, transform_right_filter_feature_0_choice_112 : boolean;
+    variable transform_right_filter_feature_0_choice_113, transform_right_filter_feature_0_choice_114 : boolean;
+    variable transform_right_filter_feature_0_choice_115, transform_right_filter_feature_0_choice_116 : boolean;
+    variable transform_right_filter_feature_0_choice_117, transform_right_filter_feature_0_choice_118 : boolean;
+    variable transform_right_filter_feature_0_choice_119, transform_right_filter_feature_0_choice_120 : boolean;
+    variable transform_right_filter_feature_0_choice_121, transform_right_filter_feature_0_choice_122 : boolean;
+    variable transform_right_filter_feature_0_choice_123, transform_right_filter_feature_0_choice_124 : boolean;
+    variable transform_right_filter_feature_0_choice_125, transform_right_filter_feature_0_choice_126 : boolean;
+    variable transform_right_filter_feature_0_choice_127, transform_right_filter_feature_0_choice_128 : boolean;
+    variable transform_right_filter_feature_0_choice_129, transform_right_filter_feature_0_choice_130 : boolean;
+    variable transform_right_filter_feature_0_choice_131, transform_right_filter_feature_0_choice_132 : boolean;
+    variable transform_right_filter_feature_0_choice_133, transform_right_filter_feature_0_choice_134 : boolean;
+    variable transform_right_filter_feature_0_choice_135, transform_right_filter_feature_0_choice_136 : boolean;
+    variable transform_right_filter_feature_0_choice_137, transform_right_filter_feature_0_choice_138 : boolean;
+    variable transform_right_filter_feature_0_choice_139, transform_right_filter_feature_0_choice_140 : boolean;
+    variable transform_right_filter_feature_0_choice_141, transform_right_filter_feature_0_choice_142 : boolean;
+    variable transform_right_filter_feature_0_choice_143, transform_right_filter_feature_0_choice_144 : boolean;
+    variable transform_right_filter_feature_0_choice_145, transform_right_filter_feature_0_choice_146 : boolean;
+    variable transform_right_filter_feature_0_choice_147, transform_right_filter_feature_0_choice_148 : boolean;
+    variable transform_right_filter_feature_0_choice_149, transform_right_filter_feature_0_choice_150 : boolean;
+    variable transform_right_filter_feature_0_choice_151, transform_right_filter_feature_0_choice_152 : boolean;
+    variable transform_right_filter_feature_0_choice_153, transform_right_filter_feature_0_choice_154 : boolean;
+    variable transform_right_filter_feature_0_choice_155, transform_right_filter_feature_0_choice_156 : boolean;
+    variable transform_right_filter_feature_0_choice_157, transform_right_filter_feature_0_choice_158 : boolean;
+    variable transform_right_filter_feature_0_choice_159, transform_right_filter_feature_0_choice_160 : boolean;
+    variable transform_right_filter_feature_0_choice_161, transform_right_filter_feature_0_choice_162 : boolean;
+    variable transform_right_filter_feature_0_choice_163, transform_right_filter_feature_0_choice_164 : boolean;
+    variable transform_right_filter_feature_0_choice_165, transform_right_filter_feature_0_choice_166 : boolean;
+    variable transform_right_filter_feature_0_choice_167, transform_right_filter_feature_0_choice_168 : boolean;
+    variable transform_right_filter_feature_0_choice_169, transform_right_filter_feature_0_choice_170 : boolean;
+    variable transform_right_filter_feature_0_choice_171, transform_right_filter_feature_0_choice_172 : boolean;
+    variable transform_right_filter_feature_0_choice_173, transform_right_filter_feature_0_choice_174 : boolean;
+    variable transform_right_filter_feature_0_choice_175, transform_right_filter_feature_0_choice_176 : boolean;
+    variable transform_right_filter_feature_0_choice_177, transform_right_filter_feature_0_choice_178 : boolean;
+    variable transform_right_filter_feature_0_choice_179, transform_right_filter_feature_0_choice_180 : boolean;
+    variable transform_right_filter_feature_0_choice_181, transform_right_filter_feature_0_choice_182 : boolean;
+    variable transform_right_filter_feature_0_choice_183, transform_right_filter_feature_0_choice_184 : boolean;
+    variable transform_right_filter_feature_0_choice_185, transform_right_filter_feature_0_choice_186 : boolean;
+    variable transform_right_filter_feature_0_value_7, transform_right_filter_feature_0_choice_187 : boolean;
+    variable transform_right_filter_feature_0_value_8, transform_right_filter_feature_0_choice_188 : boolean;
+    variable transform_right_filter_feature_0_value_9, transform_right_filter_feature_0_choice_189 : boolean;
+    variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_190 : boolean;
+    variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_191 : boolean;
+    variable transform_right_filter_feature_0_choice_192, transform_counter_next_frame_choice : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3 : boolean;
+    variable raster_place_next_frame_choice_4, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_4, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice, slice0cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_4, slice0cost_pixels_first_1_0_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_4, slice0cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_5, slice0cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_3, slice0cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_2, slice0cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_6, slice0cost_pixels_first_1_0_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_4, slice0cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_5, slice0cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_2, slice0cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_6, slice0cost_pixels_first_1_0_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_4, slice0cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_5, slice0cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_2, slice0cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_4, slice0cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice, slice0cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice, slice0cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_3, slice0cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice_2, slice0cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_2, slice0cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice, slice0cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_3, slice0cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_2, slice0cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice, slice0cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_3, slice0cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_2, slice0cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice, slice0cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice, slice0cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_3, slice0cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice_2, slice0cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_2, slice0cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice, slice0cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_3, slice0cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_2, slice0cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice, slice0cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_3, slice0cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_2, slice0cost_pixels_first_1_2_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice, slice0cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_4, slice0cost_pixels_first_2_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_4, slice0cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_5, slice0cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_3, slice0cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_2, slice0cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_6, slice0cost_pixels_first_2_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_4, slice0cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_5, slice0cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_2, slice0cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_6, slice0cost_pixels_first_2_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_4, slice0cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_5, slice0cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_2, slice0cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_4, slice0cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice, slice0cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice, slice0cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_3, slice0cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice_2, slice0cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_2, slice0cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice, slice0cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_3, slice0cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_2, slice0cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice, slice0cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_3, slice0cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_2, slice0cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice, slice0cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice, slice0cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_3, slice0cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice_2, slice0cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_2, slice0cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice, slice0cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_3, slice0cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_2, slice0cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice, slice0cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_3, slice0cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_2, slice0cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice0winner1_best_index_0_0_choice, slice0winner1_best_index_0_0_choice_2 : boolean;
-    variable slice0winner1_best_index_0_0_value, slice0winner1_best_index_0_0_choice_3 : boolean;
-    variable slice0winner1_best_index_0_0_value_2, slice0winner1_best_index_0_0_choice_4 : boolean;
-    variable slice0winner1_best_index_0_0_value_3, slice0winner1_best_index_0_0_choice_5 : boolean;
-    variable slice0winner1_best_index_0_0_value_4, slice0winner1_best_index_0_0_choice_6 : boolean;
-    variable slice0winner1_best_index_0_0_value_5, slice0winner1_best_index_0_0_choice_7 : boolean;
-    variable slice0winner2_best_index_0_0_choice, slice0winner2_best_index_0_0_choice_2 : boolean;
-    variable slice0winner2_best_index_0_0_value, slice0winner2_best_index_0_0_choice_3 : boolean;
-    variable slice0winner2_best_index_0_0_value_2, slice0winner2_best_index_0_0_choice_4 : boolean;
-    variable slice0winner2_best_index_0_0_value_3, slice0winner2_best_index_0_0_choice_5 : boolean;
-    variable slice0winner2_best_index_0_0_value_4, slice0winner2_best_index_0_0_choice_6 : boolean;
-    variable slice0winner2_best_index_0_0_value_5, slice0winner2_best_index_0_0_choice_7 : boolean;
-    variable slice0winner2_best_index_0_0_choice_8, slice1cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_3, slice1cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_2, slice1cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_6, slice1cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0winner1_of_pair_0_0_choice : boolean;
+    variable slice0winner1_of_pair_0_0_choice_2, slice0winner1_of_pair_0_0_value : boolean;
+    variable slice0winner1_of_pair_0_0_choice_3, slice0winner1_of_pair_0_0_value_2 : boolean;
+    variable slice0winner1_of_pair_0_0_choice_4, slice0winner1_of_pair_0_0_value_3 : boolean;
+    variable slice0winner1_of_pair_0_0_choice_5, slice0winner1_of_pair_0_0_value_4 : boolean;
+    variable slice0winner1_of_pair_0_0_choice_6, slice0winner1_of_pair_0_0_value_5 : boolean;
+    variable slice0winner1_of_pair_0_0_choice_7, slice0winner1_of_pair_0_0_choice_8 : boolean;
+    variable slice0winner1_of_four_0_0_value, slice0winner1_of_four_0_0_value_2 : boolean;
+    variable slice0winner1_of_four_0_0_choice, slice0winner1_of_four_0_0_value_3 : boolean;
+    variable slice0winner1_of_four_0_0_value_4, slice0winner1_of_four_0_0_choice_2 : boolean;
+    variable slice0winner1_of_four_0_0_value_5, slice0winner1_of_four_0_0_value_6 : boolean;
+    variable slice0winner1_of_four_0_0_choice_3, slice0winner1_of_four_0_0_value_7 : boolean;
+    variable slice0winner1_of_four_0_0_value_8, slice0winner1_of_four_0_0_choice_4 : boolean;
+    variable slice0winner1_of_four_0_0_value_9, slice0winner1_of_four_0_0_value_10 : boolean;
+    variable slice0winner1_of_four_0_0_choice_5, slice0winner1_of_four_0_0_value_11 : boolean;
+    variable slice0winner1_of_four_0_0_value_12, slice0winner1_of_four_0_0_choice_6 : boolean;
+    variable slice0winner1_of_four_0_0_choice_7, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice, slice1cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_4, slice1cost_pixels_first_0_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_4, slice1cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_5, slice1cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_2, slice1cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_6, slice1cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_4, slice1cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_5, slice1cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_2, slice1cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_6, slice1cost_pixels_first_0_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice, slice1cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_3, slice1cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice_2, slice1cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_2, slice1cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice, slice1cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice, slice1cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_3, slice1cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_2, slice1cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice, slice1cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_3, slice1cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_2, slice1cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice, slice1cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_3, slice1cost_pixels_first_0_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice_2, slice1cost_pixels_first_0_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_2, slice1cost_pixels_first_0_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice, slice1cost_pixels_first_0_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice, slice1cost_pixels_first_0_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_3, slice1cost_pixels_first_0_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_2, slice1cost_pixels_first_0_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice, slice1cost_pixels_first_0_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_3, slice1cost_pixels_first_0_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_2, slice1cost_pixels_first_0_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice, slice1cost_pixels_first_0_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_3, slice1cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_3, slice1cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_choice_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice_2, slice1cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_6, slice1cost_pixels_first_1_0_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_choice, slice1cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_4, slice1cost_pixels_first_1_0_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_4, slice1cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_5, slice1cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice_2, slice1cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_6, slice1cost_pixels_first_1_0_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_4, slice1cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_5, slice1cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice_2, slice1cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_6, slice1cost_pixels_first_1_0_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice, slice1cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_3, slice1cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice_3, slice1cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_0_choice_2, slice1cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice_2, slice1cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_2_choice, slice1cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice, slice1cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice_3, slice1cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice_2, slice1cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice, slice1cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice_3, slice1cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice_2, slice1cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice, slice1cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice_3, slice1cost_pixels_first_1_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_0_choice_2, slice1cost_pixels_first_1_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice_2, slice1cost_pixels_first_1_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_2_choice, slice1cost_pixels_first_1_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice, slice1cost_pixels_first_1_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice_3, slice1cost_pixels_first_1_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice_2, slice1cost_pixels_first_1_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice, slice1cost_pixels_first_1_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice_3, slice1cost_pixels_first_1_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice_2, slice1cost_pixels_first_1_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice, slice1cost_pixels_first_1_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice_3, slice1cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_3, slice1cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_choice_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice_2, slice1cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_6, slice1cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_choice, slice1cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_4, slice1cost_pixels_first_2_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_4, slice1cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_5, slice1cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice_2, slice1cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_6, slice1cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_4, slice1cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_5, slice1cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice_2, slice1cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_6, slice1cost_pixels_first_2_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_7_value, slice1cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice, slice1cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_3, slice1cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice_3, slice1cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_0_choice_2, slice1cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice_2, slice1cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_2_choice, slice1cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice, slice1cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice_3, slice1cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice_2, slice1cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice, slice1cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice_3, slice1cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice_2, slice1cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice, slice1cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice_3, slice1cost_pixels_first_2_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_0_choice_2, slice1cost_pixels_first_2_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice_2, slice1cost_pixels_first_2_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_2_choice, slice1cost_pixels_first_2_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice, slice1cost_pixels_first_2_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice_3, slice1cost_pixels_first_2_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice_2, slice1cost_pixels_first_2_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice, slice1cost_pixels_first_2_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice_3, slice1cost_pixels_first_2_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice_2, slice1cost_pixels_first_2_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice, slice1cost_pixels_first_2_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice_3, slice1winner1_best_index_0_0_choice : boolean;
-    variable slice1winner1_best_index_0_0_choice_2, slice1winner1_best_index_0_0_value : boolean;
-    variable slice1winner1_best_index_0_0_choice_3, slice1winner1_best_index_0_0_value_2 : boolean;
-    variable slice1winner1_best_index_0_0_choice_4, slice1winner1_best_index_0_0_value_3 : boolean;
-    variable slice1winner1_best_index_0_0_choice_5, slice1winner1_best_index_0_0_value_4 : boolean;
-    variable slice1winner1_best_index_0_0_choice_6, slice1winner1_best_index_0_0_value_5 : boolean;
-    variable slice1winner1_best_index_0_0_choice_7, slice1winner2_best_index_0_0_choice : boolean;
-    variable slice1winner2_best_index_0_0_choice_2, slice1winner2_best_index_0_0_value : boolean;
-    variable slice1winner2_best_index_0_0_choice_3, slice1winner2_best_index_0_0_value_2 : boolean;
-    variable slice1winner2_best_index_0_0_choice_4, slice1winner2_best_index_0_0_value_3 : boolean;
-    variable slice1winner2_best_index_0_0_choice_5, slice1winner2_best_index_0_0_value_4 : boolean;
-    variable slice1winner2_best_index_0_0_choice_6, slice1winner2_best_index_0_0_value_5 : boolean;
-    variable slice1winner2_best_index_0_0_choice_7, slice1winner2_best_index_0_0_choice_8 : boolean;
+    variable slice1winner1_of_pair_0_0_choice, slice1winner1_of_pair_0_0_choice_2 : boolean;
+    variable slice1winner1_of_pair_0_0_value, slice1winner1_of_pair_0_0_choice_3 : boolean;
+    variable slice1winner1_of_pair_0_0_value_2, slice1winner1_of_pair_0_0_choice_4 : boolean;
+    variable slice1winner1_of_pair_0_0_value_3, slice1winner1_of_pair_0_0_choice_5 : boolean;
+    variable slice1winner1_of_pair_0_0_value_4, slice1winner1_of_pair_0_0_choice_6 : boolean;
+    variable slice1winner1_of_pair_0_0_value_5, slice1winner1_of_pair_0_0_choice_7 : boolean;
+    variable slice1winner1_of_pair_0_0_choice_8, slice1winner1_of_four_0_0_value : boolean;
+    variable slice1winner1_of_four_0_0_value_2, slice1winner1_of_four_0_0_choice : boolean;
+    variable slice1winner1_of_four_0_0_value_3, slice1winner1_of_four_0_0_value_4 : boolean;
+    variable slice1winner1_of_four_0_0_choice_2, slice1winner1_of_four_0_0_value_5 : boolean;
+    variable slice1winner1_of_four_0_0_value_6, slice1winner1_of_four_0_0_choice_3 : boolean;
+    variable slice1winner1_of_four_0_0_value_7, slice1winner1_of_four_0_0_value_8 : boolean;
+    variable slice1winner1_of_four_0_0_choice_4, slice1winner1_of_four_0_0_value_9 : boolean;
+    variable slice1winner1_of_four_0_0_value_10, slice1winner1_of_four_0_0_choice_5 : boolean;
+    variable slice1winner1_of_four_0_0_value_11, slice1winner1_of_four_0_0_value_12 : boolean;
+    variable slice1winner1_of_four_0_0_choice_6, slice1winner1_of_four_0_0_choice_7 : boolean;
     variable slice1_best_index_0_0_choice, slice1_best_index_0_0_choice_2, slice1_best_index_0_0_value : boolean;
     variable slice1_best_index_0_0_choice_3, slice1_best_index_0_0_value_2, slice1_best_index_0_0_choice_4 : boolean;
     variable slice1_best_index_0_0_value_3, slice1_best_index_0_0_choice_5, slice1_best_index_0_0_value_4 : boolean;
     variable slice1_best_index_0_0_choice_6, slice1_best_index_0_0_value_5, slice1_best_index_0_0_choice_7 : boolean;
     variable slice1_best_index_0_0_choice_8, slice2cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_3, slice2cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_2, slice2cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_6, slice2cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice, slice2cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_4, slice2cost_pixels_first_0_0_count_2_choice_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_4, slice2cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_5, slice2cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_2, slice2cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_6, slice2cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_4, slice2cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_5, slice2cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_2, slice2cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_6, slice2cost_pixels_first_0_0_count_6_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_7_value, slice2cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice, slice2cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_3, slice2cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice_2, slice2cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_2, slice2cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice, slice2cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice, slice2cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_3, slice2cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_2, slice2cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice, slice2cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_3, slice2cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_2, slice2cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice, slice2cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_3, slice2cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_3, slice2cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_choice_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice_2, slice2cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_6, slice2cost_pixels_first_1_0_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_choice, slice2cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_4, slice2cost_pixels_first_1_0_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_4, slice2cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_5, slice2cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice_2, slice2cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_6, slice2cost_pixels_first_1_0_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_4, slice2cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_5, slice2cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice_2, slice2cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_6, slice2cost_pixels_first_1_0_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice, slice2cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_3, slice2cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice_3, slice2cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_0_choice_2, slice2cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice_2, slice2cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_2_choice, slice2cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice, slice2cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice_3, slice2cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice_2, slice2cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice, slice2cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice_3, slice2cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice_2, slice2cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice, slice2cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice_3, slice2cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_3, slice2cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_choice_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice_2, slice2cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_6, slice2cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value, slice2cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value, slice2cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value, slice2cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_2, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value, slice2cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value_2, slice2cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_choice, slice2cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_4, slice2cost_pixels_first_2_0_count_2_choice_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_4, slice2cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_5, slice2cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice_2, slice2cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_6, slice2cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_4, slice2cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_5, slice2cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice_2, slice2cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_6, slice2cost_pixels_first_2_0_count_6_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice, slice2cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_3, slice2cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice_3, slice2cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_0_choice_2, slice2cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice_2, slice2cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_2_choice, slice2cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice, slice2cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice_3, slice2cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice_2, slice2cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice, slice2cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice_3, slice2cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice_2, slice2cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice, slice2cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice_3, slice2winner1_best_index_0_0_choice : boolean;
-    variable slice2winner1_best_index_0_0_choice_2, slice2winner1_best_index_0_0_value : boolean;
-    variable slice2winner1_best_index_0_0_choice_3, slice2winner1_best_index_0_0_value_2 : boolean;
-    variable slice2winner1_best_index_0_0_choice_4, slice2winner1_best_index_0_0_value_3 : boolean;
-    variable slice2winner1_best_index_0_0_choice_5, slice2winner1_best_index_0_0_value_4 : boolean;
-    variable slice2winner1_best_index_0_0_choice_6, slice2winner1_best_index_0_0_value_5 : boolean;
-    variable slice2winner1_best_index_0_0_choice_7, slice2_best_index_0_0_choice : boolean;
-    variable slice2_best_index_0_0_choice_2, slice2_best_index_0_0_value, slice2_best_index_0_0_choice_3 : boolean;
-    variable slice2_best_index_0_0_value_2, slice2_best_index_0_0_choice_4, slice2_best_index_0_0_value_3 : boolean;
-    variable slice2_best_index_0_0_choice_5, slice2_best_index_0_0_value_4, slice2_best_index_0_0_choice_6 : boolean;
-    variable slice2_best_index_0_0_value_5, slice2_best_index_0_0_choice_7, slice2_best_index_0_0_choice_8 : boolean;
+    variable slice2winner1_best_index_0_0_choice, slice2winner1_best_index_0_0_choice_2 : boolean;
+    variable slice2winner1_best_index_0_0_value, slice2winner1_best_index_0_0_choice_3 : boolean;
+    variable slice2winner1_best_index_0_0_value_2, slice2winner1_best_index_0_0_choice_4 : boolean;
+    variable slice2winner1_best_index_0_0_value_3, slice2winner1_best_index_0_0_choice_5 : boolean;
+    variable slice2winner1_best_index_0_0_value_4, slice2winner1_best_index_0_0_choice_6 : boolean;
+    variable slice2winner1_best_index_0_0_value_5, slice2winner1_best_index_0_0_choice_7 : boolean;
+    variable slice2_best_index_0_0_choice, slice2_best_index_0_0_choice_2, slice2_best_index_0_0_value : boolean;
+    variable slice2_best_index_0_0_choice_3, slice2_best_index_0_0_value_2, slice2_best_index_0_0_choice_4 : boolean;
+    variable slice2_best_index_0_0_value_3, slice2_best_index_0_0_choice_5, slice2_best_index_0_0_value_4 : boolean;
+    variable slice2_best_index_0_0_choice_6, slice2_best_index_0_0_value_5, slice2_best_index_0_0_choice_7 : boolean;
+    variable slice2_best_index_0_0_choice_8 : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -1168,24 +826,10 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_choice := 3 when transform_counter_group_all else 0;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when raster_features_start_of_frame and transform_counter_group_is_equal_3
+      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
         else (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
         transform_counter_group_is_equal and in_valid else transform_counter_group;
-      transform_counter_next_frame_is_equal := (raster_place_group / 2) = 6;
-      transform_counter_next_frame_is_equal_2 := raster_place_column = 31;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
-        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_is_equal_3 := raster_place_group = 11;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal_2 and
-        transform_counter_next_frame_is_equal_3;
-      transform_counter_next_frame_choice_3 := transform_filtered_valid when transform_counter_next_frame_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      transform_counter_next_frame_choice_4 := transform_counter_next_frame_choice_3 when
-        transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal_2 and
-        transform_counter_next_frame_is_equal_3 and transform_filtered_valid and transform_filtered_start_of_frame;
       transform_read_column_inside_0_value := ((transform_counter_column / 8) mod 2) = 1;
       transform_read_column_inside_0_value_2 := ((transform_counter_column / 4) mod 2) = 1;
       transform_read_column_inside_0_value_3 := ((transform_counter_column / 2) mod 2) = 1;
@@ -1193,8 +837,6 @@ begin
       transform_read_column_inside_3_choice := (not ((transform_counter_column / 16) = 1)) and (not
         transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3) when
         (transform_counter_column mod 2) = 1 else (transform_counter_column / 8) = 0;
-      transform_read_column_inside_3_choice_2 := not transform_read_column_inside_0_value_2 when
-        (transform_counter_column / 2) = 0 else transform_read_column_inside_0_value_2;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_2_2 mod 2) = 1));
@@ -1454,9 +1096,9 @@ begin
       transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
         (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -1762,7 +1404,7 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
           (as_number(transform_left_filter_feature_0_choice_176) * 4) +
@@ -1771,7 +1413,7 @@ begin
       else
         transform_left_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) +
           (as_number(transform_left_filter_feature_0_choice_136) * 128) +
@@ -1780,14 +1422,14 @@ begin
       else
         transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
       else
         transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
@@ -2057,9 +1699,9 @@ begin
       transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
         (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -2365,7 +2007,7 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
           (as_number(transform_right_filter_feature_0_choice_176) * 4) +
@@ -2374,7 +2016,7 @@ begin
       else
         transform_right_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) +
           (as_number(transform_right_filter_feature_0_choice_136) * 128) +
@@ -2383,14 +2025,14 @@ begin
       else
         transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
       else
         transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
@@ -2406,8 +2048,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
-      transform_counter_next_frame <= transform_counter_next_frame_choice_4 or ((not transform_filtered_valid) and
-        transform_counter_next_frame);
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2417,10 +2057,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= ((transform_counter_column / 16) = 1) or transform_read_column_inside_0_value
@@ -2428,8 +2068,8 @@ begin
       transform_read_column_inside_1 <= transform_read_column_inside_1_differs or (not ((transform_counter_column mod
         2) = 1));
       transform_read_column_inside_2 <= true;
-      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
-        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_3 <= ((transform_counter_column / 2) = 0) /= transform_read_column_inside_0_value_2
+        when transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_4 <= ((transform_counter_column / 16) = 1) or transform_read_column_inside_0_value
         or transform_read_column_inside_0_value_2 or (not transform_read_column_inside_0_value_3);
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
@@ -2474,25 +2114,30 @@ begin
         (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_left_filter_feature_0_choice_196;
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
         (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
         (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_right_filter_feature_0_choice_196;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 32;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2554,28 +2199,36 @@ begin
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := transform_counter_next_frame_is_equal_2 and transform_filtered_valid and (not
-        ((raster_place_group mod 2) = 1)) when transform_counter_next_frame_is_equal else
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 12) else
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_is_equal_2 := raster_place_group = 11;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_1_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := transform_counter_group_all when in_start_of_frame else
-        raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          raster_features_start_of_frame_choice;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 32;
       end if;
       -- delay
@@ -2583,16 +2236,18 @@ begin
         delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= delay_row_inside_1_is_less and (((raster_place_column + 65529) mod 65536) < 24);
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
+        >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -2665,743 +2320,356 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := ((slice0shift_search_0_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := ((slice0shift_search_0_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_search_0_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not ((slice0shift_search_0_0 / 8388608) = 1) when
-        (slice0shift_reference_0 / 8388608) = 1 else (slice0shift_search_0_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := ((slice0shift_search_0_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_1 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_2 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := ((slice0shift_search_1_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := ((slice0shift_search_1_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_search_1_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not ((slice0shift_search_1_0 / 8388608) = 1) when
-        (slice0shift_reference_1 / 8388608) = 1 else (slice0shift_search_1_0 / 8388608) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := ((slice0shift_search_1_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_1 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_2 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := ((slice0shift_search_2_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := ((slice0shift_search_2_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_search_2_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not ((slice0shift_search_2_0 / 8388608) = 1) when
-        (slice0shift_reference_2 / 8388608) = 1 else (slice0shift_search_2_0 / 8388608) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_3 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := ((slice0shift_search_2_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_1 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_2 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
@@ -3448,17 +2716,28 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -3479,88 +2758,108 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_index_0_0_choice := (not (((slice0window_sum_0_1 / 2) mod 2) = 1)) or (not
-        ((slice0window_sum_0_1 mod 2) = 1)) when (slice0window_sum_0_0 mod 2) = 1 else not (((slice0window_sum_0_1 / 2)
-        mod 2) = 1);
-      slice0winner1_best_index_0_0_choice_2 := slice0winner1_best_index_0_0_choice when ((slice0window_sum_0_0 / 2) mod
-        2) = 1 else ((slice0window_sum_0_0 mod 2) = 1) and ((slice0window_sum_0_1 mod 4) = 0);
-      slice0winner1_best_index_0_0_value := ((slice0window_sum_0_1 / 4) mod 2) = 1;
-      slice0winner1_best_index_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) and
-        slice0winner1_best_index_0_0_value when slice0winner1_best_index_0_0_choice_2 else (not (((slice0window_sum_0_0
-        / 4) mod 2) = 1)) or slice0winner1_best_index_0_0_value;
-      slice0winner1_best_index_0_0_value_2 := ((slice0window_sum_0_1 / 8) mod 2) = 1;
-      slice0winner1_best_index_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) or
-        slice0winner1_best_index_0_0_value_2 when slice0winner1_best_index_0_0_choice_3 else (not
-        (((slice0window_sum_0_0 / 8) mod 2) = 1)) and slice0winner1_best_index_0_0_value_2;
-      slice0winner1_best_index_0_0_value_3 := ((slice0window_sum_0_1 / 16) mod 2) = 1;
-      slice0winner1_best_index_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) or
-        slice0winner1_best_index_0_0_value_3 when slice0winner1_best_index_0_0_choice_4 else (not
-        (((slice0window_sum_0_0 / 16) mod 2) = 1)) and slice0winner1_best_index_0_0_value_3;
-      slice0winner1_best_index_0_0_value_4 := ((slice0window_sum_0_1 / 32) mod 2) = 1;
-      slice0winner1_best_index_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) or
-        slice0winner1_best_index_0_0_value_4 when slice0winner1_best_index_0_0_choice_5 else (not
-        (((slice0window_sum_0_0 / 32) mod 2) = 1)) and slice0winner1_best_index_0_0_value_4;
-      slice0winner1_best_index_0_0_value_5 := ((slice0window_sum_0_1 / 64) mod 2) = 1;
-      slice0winner1_best_index_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) or
-        slice0winner1_best_index_0_0_value_5 when slice0winner1_best_index_0_0_choice_6 else (not
-        (((slice0window_sum_0_0 / 64) mod 2) = 1)) and slice0winner1_best_index_0_0_value_5;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0window_sum_0_1 < slice0window_sum_0_0 else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= ((slice0window_sum_0_0 / 128) = 1) and (not ((slice0window_sum_0_1 / 128) = 1))
-        when slice0winner1_best_index_0_0_choice_7 else ((slice0window_sum_0_0 / 128) = 1) or (not
+      slice0winner1_of_pair_0_0_choice := (not (((slice0window_sum_0_1 / 2) mod 2) = 1)) or (not ((slice0window_sum_0_1
+        mod 2) = 1)) when (slice0window_sum_0_0 mod 2) = 1 else not (((slice0window_sum_0_1 / 2) mod 2) = 1);
+      slice0winner1_of_pair_0_0_choice_2 := slice0winner1_of_pair_0_0_choice when ((slice0window_sum_0_0 / 2) mod 2) =
+        1 else ((slice0window_sum_0_0 mod 2) = 1) and ((slice0window_sum_0_1 mod 4) = 0);
+      slice0winner1_of_pair_0_0_value := ((slice0window_sum_0_1 / 4) mod 2) = 1;
+      slice0winner1_of_pair_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) and
+        slice0winner1_of_pair_0_0_value when slice0winner1_of_pair_0_0_choice_2 else (not (((slice0window_sum_0_0 / 4)
+        mod 2) = 1)) or slice0winner1_of_pair_0_0_value;
+      slice0winner1_of_pair_0_0_value_2 := ((slice0window_sum_0_1 / 8) mod 2) = 1;
+      slice0winner1_of_pair_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) or
+        slice0winner1_of_pair_0_0_value_2 when slice0winner1_of_pair_0_0_choice_3 else (not (((slice0window_sum_0_0 /
+        8) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_2;
+      slice0winner1_of_pair_0_0_value_3 := ((slice0window_sum_0_1 / 16) mod 2) = 1;
+      slice0winner1_of_pair_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) or
+        slice0winner1_of_pair_0_0_value_3 when slice0winner1_of_pair_0_0_choice_4 else (not (((slice0window_sum_0_0 /
+        16) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_3;
+      slice0winner1_of_pair_0_0_value_4 := ((slice0window_sum_0_1 / 32) mod 2) = 1;
+      slice0winner1_of_pair_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) or
+        slice0winner1_of_pair_0_0_value_4 when slice0winner1_of_pair_0_0_choice_5 else (not (((slice0window_sum_0_0 /
+        32) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_4;
+      slice0winner1_of_pair_0_0_value_5 := ((slice0window_sum_0_1 / 64) mod 2) = 1;
+      slice0winner1_of_pair_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) or
+        slice0winner1_of_pair_0_0_value_5 when slice0winner1_of_pair_0_0_choice_6 else (not (((slice0window_sum_0_0 /
+        64) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_5;
+      slice0winner1_of_pair_0_0_choice_8 := ((slice0window_sum_0_0 / 128) = 1) and (not ((slice0window_sum_0_1 / 128) =
+        1)) when slice0winner1_of_pair_0_0_choice_7 else ((slice0window_sum_0_0 / 128) = 1) or (not
         ((slice0window_sum_0_1 / 128) = 1));
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0_value := ((slice0winner1_of_pair_0_1 / 2) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_2 := ((slice0winner1_of_pair_0_0 / 2) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice := (not (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value or slice0winner1_of_four_0_0_value_2 when (not ((slice0winner1_of_pair_0_2 mod
+        2) = 1)) and (((slice0winner1_of_pair_0_1 mod 2) = 1) or ((slice0winner1_of_pair_0_0 mod 2) = 1)) else (not
+        (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) and (slice0winner1_of_four_0_0_value or
+        slice0winner1_of_four_0_0_value_2);
+      slice0winner1_of_four_0_0_value_3 := ((slice0winner1_of_pair_0_1 / 4) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_4 := ((slice0winner1_of_pair_0_0 / 4) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice_2 := (not (((slice0winner1_of_pair_0_2 / 4) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value_3 or slice0winner1_of_four_0_0_value_4 when slice0winner1_of_four_0_0_choice
+        else (not (((slice0winner1_of_pair_0_2 / 4) mod 2) = 1)) and (slice0winner1_of_four_0_0_value_3 or
+        slice0winner1_of_four_0_0_value_4);
+      slice0winner1_of_four_0_0_value_5 := ((slice0winner1_of_pair_0_1 / 8) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_6 := ((slice0winner1_of_pair_0_0 / 8) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice_3 := (not (((slice0winner1_of_pair_0_2 / 8) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value_5 or slice0winner1_of_four_0_0_value_6 when slice0winner1_of_four_0_0_choice_2
+        else (not (((slice0winner1_of_pair_0_2 / 8) mod 2) = 1)) and (slice0winner1_of_four_0_0_value_5 or
+        slice0winner1_of_four_0_0_value_6);
+      slice0winner1_of_four_0_0_value_7 := ((slice0winner1_of_pair_0_1 / 16) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_8 := ((slice0winner1_of_pair_0_0 / 16) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice_4 := (not (((slice0winner1_of_pair_0_2 / 16) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value_7 or slice0winner1_of_four_0_0_value_8 when slice0winner1_of_four_0_0_choice_3
+        else (not (((slice0winner1_of_pair_0_2 / 16) mod 2) = 1)) and (slice0winner1_of_four_0_0_value_7 or
+        slice0winner1_of_four_0_0_value_8);
+      slice0winner1_of_four_0_0_value_9 := ((slice0winner1_of_pair_0_1 / 32) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_10 := ((slice0winner1_of_pair_0_0 / 32) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice_5 := (not (((slice0winner1_of_pair_0_2 / 32) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value_9 or slice0winner1_of_four_0_0_value_10 when slice0winner1_of_four_0_0_choice_4
+        else (not (((slice0winner1_of_pair_0_2 / 32) mod 2) = 1)) and (slice0winner1_of_four_0_0_value_9 or
+        slice0winner1_of_four_0_0_value_10);
+      slice0winner1_of_four_0_0_value_11 := ((slice0winner1_of_pair_0_1 / 64) mod 2) = 1;
+      slice0winner1_of_four_0_0_value_12 := ((slice0winner1_of_pair_0_0 / 64) mod 2) = 1;
+      slice0winner1_of_four_0_0_choice_6 := (not (((slice0winner1_of_pair_0_2 / 64) mod 2) = 1)) or
+        slice0winner1_of_four_0_0_value_11 or slice0winner1_of_four_0_0_value_12 when
+        slice0winner1_of_four_0_0_choice_5 else (not (((slice0winner1_of_pair_0_2 / 64) mod 2) = 1)) and
+        (slice0winner1_of_four_0_0_value_11 or slice0winner1_of_four_0_0_value_12);
+      slice0winner1_of_four_0_0_choice_7 := (not ((slice0winner1_of_pair_0_2 / 128) = 1)) or
+        ((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1) when
+        slice0winner1_of_four_0_0_choice_6 else (not ((slice0winner1_of_pair_0_2 / 128) = 1)) and
+        (((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1));
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_choice_8 else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_choice_8 else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_choice_8;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_choice_7 else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_choice_7 else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_choice_7 else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_choice_7 else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 8)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 8)))) or (to_unsigned(slice0winner1_of_four_0_0, 8))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
-      -- slice0winner2
-      slice0winner2_best_index_0_0_choice := (not (((slice0winner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((slice0winner1_best_cost_0_1 mod 2) = 1)) when (slice0winner1_best_cost_0_0 mod 2) = 1 else not
-        (((slice0winner1_best_cost_0_1 / 2) mod 2) = 1);
-      slice0winner2_best_index_0_0_choice_2 := slice0winner2_best_index_0_0_choice when ((slice0winner1_best_cost_0_0 /
-        2) mod 2) = 1 else ((slice0winner1_best_cost_0_0 mod 2) = 1) and ((slice0winner1_best_cost_0_1 mod 4) = 0);
-      slice0winner2_best_index_0_0_value := ((slice0winner1_best_cost_0_1 / 4) mod 2) = 1;
-      slice0winner2_best_index_0_0_choice_3 := (not (((slice0winner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        slice0winner2_best_index_0_0_value when slice0winner2_best_index_0_0_choice_2 else (not
-        (((slice0winner1_best_cost_0_0 / 4) mod 2) = 1)) or slice0winner2_best_index_0_0_value;
-      slice0winner2_best_index_0_0_value_2 := ((slice0winner1_best_cost_0_1 / 8) mod 2) = 1;
-      slice0winner2_best_index_0_0_choice_4 := (not (((slice0winner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        slice0winner2_best_index_0_0_value_2 when slice0winner2_best_index_0_0_choice_3 else (not
-        (((slice0winner1_best_cost_0_0 / 8) mod 2) = 1)) and slice0winner2_best_index_0_0_value_2;
-      slice0winner2_best_index_0_0_value_3 := ((slice0winner1_best_cost_0_1 / 16) mod 2) = 1;
-      slice0winner2_best_index_0_0_choice_5 := (not (((slice0winner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        slice0winner2_best_index_0_0_value_3 when slice0winner2_best_index_0_0_choice_4 else (not
-        (((slice0winner1_best_cost_0_0 / 16) mod 2) = 1)) and slice0winner2_best_index_0_0_value_3;
-      slice0winner2_best_index_0_0_value_4 := ((slice0winner1_best_cost_0_1 / 32) mod 2) = 1;
-      slice0winner2_best_index_0_0_choice_6 := (not (((slice0winner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        slice0winner2_best_index_0_0_value_4 when slice0winner2_best_index_0_0_choice_5 else (not
-        (((slice0winner1_best_cost_0_0 / 32) mod 2) = 1)) and slice0winner2_best_index_0_0_value_4;
-      slice0winner2_best_index_0_0_value_5 := ((slice0winner1_best_cost_0_1 / 64) mod 2) = 1;
-      slice0winner2_best_index_0_0_choice_7 := (not (((slice0winner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        slice0winner2_best_index_0_0_value_5 when slice0winner2_best_index_0_0_choice_6 else (not
-        (((slice0winner1_best_cost_0_0 / 64) mod 2) = 1)) and slice0winner2_best_index_0_0_value_5;
-      slice0winner2_best_index_0_0_choice_8 := ((slice0winner1_best_cost_0_0 / 128) = 1) and (not
-        ((slice0winner1_best_cost_0_1 / 128) = 1)) when slice0winner2_best_index_0_0_choice_7 else
-        ((slice0winner1_best_cost_0_0 / 128) = 1) or (not ((slice0winner1_best_cost_0_1 / 128) = 1));
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner1_best_cost_0_1 <
-        slice0winner1_best_cost_0_0 else slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_0_0_choice_8 else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -3581,743 +2880,356 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := ((slice1shift_search_0_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := ((slice1shift_search_0_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_search_0_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not ((slice1shift_search_0_0 / 8388608) = 1) when
-        (slice1shift_reference_0 / 8388608) = 1 else (slice1shift_search_0_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := ((slice1shift_search_0_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_1 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_2 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
-        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
-      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
-        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
-        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
-        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
-      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
-        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
-        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
-      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
-        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
-        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
-        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
-      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
-        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
-        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
-      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
-        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
-      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
-        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
-        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
-      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
-        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
-      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
-        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value_2 when
-        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
-      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_4 := ((slice1shift_search_1_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_4 when
-        slice1cost_pixels_first_1_0_count_6_value_3 else slice1cost_pixels_first_1_0_count_6_value_4;
-      slice1cost_pixels_first_1_0_count_6_value_5 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_6 := ((slice1shift_search_1_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_6 when
-        slice1cost_pixels_first_1_0_count_6_value_5 else slice1cost_pixels_first_1_0_count_6_value_6;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_search_1_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value_2 when
-        slice1cost_pixels_first_1_0_count_7_value else slice1cost_pixels_first_1_0_count_7_value_2;
-      slice1cost_pixels_first_1_0_count_7_choice_2 := not ((slice1shift_search_1_0 / 8388608) = 1) when
-        (slice1shift_reference_1 / 8388608) = 1 else (slice1shift_search_1_0 / 8388608) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_4 := ((slice1shift_search_1_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_4 when
-        slice1cost_pixels_first_1_0_count_7_value_3 else slice1cost_pixels_first_1_0_count_7_value_4;
-      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_1_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_1_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_1_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_1_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_1 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_1_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_2_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_2_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_2_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_2_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_2 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_2_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
-        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
-      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
-        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
-        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
-        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
-      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
-        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
-        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
-      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
-        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
-        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
-        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
-      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
-        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
-        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
-      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
-        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
-      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
-        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
-        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
-      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
-        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
-      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
-        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value_2 when
-        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
-      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_4 := ((slice1shift_search_2_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_4 when
-        slice1cost_pixels_first_2_0_count_6_value_3 else slice1cost_pixels_first_2_0_count_6_value_4;
-      slice1cost_pixels_first_2_0_count_6_value_5 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_6 := ((slice1shift_search_2_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_6 when
-        slice1cost_pixels_first_2_0_count_6_value_5 else slice1cost_pixels_first_2_0_count_6_value_6;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_search_2_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value_2 when
-        slice1cost_pixels_first_2_0_count_7_value else slice1cost_pixels_first_2_0_count_7_value_2;
-      slice1cost_pixels_first_2_0_count_7_choice_2 := not ((slice1shift_search_2_0 / 8388608) = 1) when
-        (slice1shift_reference_2 / 8388608) = 1 else (slice1shift_search_2_0 / 8388608) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_3 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_4 := ((slice1shift_search_2_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_4 when
-        slice1cost_pixels_first_2_0_count_7_value_3 else slice1cost_pixels_first_2_0_count_7_value_4;
-      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_1_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_1_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_1_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_1_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_1 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_1_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_2_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_2_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_2_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_2_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_2 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_2_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
-      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
-      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
-      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
-      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
-      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_3);
-      slice1cost_pixels_first_1_0_count_7 <= as_number(slice1cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
-      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
-      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
-      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
-      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
-      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_3);
-      slice1cost_pixels_first_1_1_count_7 <= as_number(slice1cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
-      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
-      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
-      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
-      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
-      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_3);
-      slice1cost_pixels_first_1_2_count_7 <= as_number(slice1cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
-      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
-      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
-      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
-      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
-      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_3);
-      slice1cost_pixels_first_2_0_count_7 <= as_number(slice1cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
-      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
-      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
-      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
-      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
-      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_3);
-      slice1cost_pixels_first_2_1_count_7 <= as_number(slice1cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
-      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
-      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
-      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
-      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
-      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_3);
-      slice1cost_pixels_first_2_2_count_7 <= as_number(slice1cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
         slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
         + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
@@ -4354,12 +3266,15 @@ begin
         slice1cost_pixels_first_2_2_count_3 + slice1cost_pixels_first_2_2_count_5 + slice1cost_pixels_first_2_2_count_6
         + slice1cost_pixels_first_2_2_count_4 + slice1cost_pixels_first_2_2_count_7 +
         slice1cost_pixels_first_2_2_count_1;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_0 +
-        slice1cost_pixels_cost_0_0 + slice1cost_pixels_cost_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_1 +
-        slice1cost_pixels_cost_0_1 + slice1cost_pixels_cost_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_2 +
-        slice1cost_pixels_cost_0_2 + slice1cost_pixels_cost_1_2;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -4374,102 +3289,118 @@ begin
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       -- slice1winner1
-      slice1winner1_best_index_0_0_choice := (not (((slice1window_sum_0_1 / 2) mod 2) = 1)) or (not
-        ((slice1window_sum_0_1 mod 2) = 1)) when (slice1window_sum_0_0 mod 2) = 1 else not (((slice1window_sum_0_1 / 2)
-        mod 2) = 1);
-      slice1winner1_best_index_0_0_choice_2 := slice1winner1_best_index_0_0_choice when ((slice1window_sum_0_0 / 2) mod
-        2) = 1 else ((slice1window_sum_0_0 mod 2) = 1) and ((slice1window_sum_0_1 mod 4) = 0);
-      slice1winner1_best_index_0_0_value := ((slice1window_sum_0_1 / 4) mod 2) = 1;
-      slice1winner1_best_index_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) and
-        slice1winner1_best_index_0_0_value when slice1winner1_best_index_0_0_choice_2 else (not (((slice1window_sum_0_0
-        / 4) mod 2) = 1)) or slice1winner1_best_index_0_0_value;
-      slice1winner1_best_index_0_0_value_2 := ((slice1window_sum_0_1 / 8) mod 2) = 1;
-      slice1winner1_best_index_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) or
-        slice1winner1_best_index_0_0_value_2 when slice1winner1_best_index_0_0_choice_3 else (not
-        (((slice1window_sum_0_0 / 8) mod 2) = 1)) and slice1winner1_best_index_0_0_value_2;
-      slice1winner1_best_index_0_0_value_3 := ((slice1window_sum_0_1 / 16) mod 2) = 1;
-      slice1winner1_best_index_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) or
-        slice1winner1_best_index_0_0_value_3 when slice1winner1_best_index_0_0_choice_4 else (not
-        (((slice1window_sum_0_0 / 16) mod 2) = 1)) and slice1winner1_best_index_0_0_value_3;
-      slice1winner1_best_index_0_0_value_4 := ((slice1window_sum_0_1 / 32) mod 2) = 1;
-      slice1winner1_best_index_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) or
-        slice1winner1_best_index_0_0_value_4 when slice1winner1_best_index_0_0_choice_5 else (not
-        (((slice1window_sum_0_0 / 32) mod 2) = 1)) and slice1winner1_best_index_0_0_value_4;
-      slice1winner1_best_index_0_0_value_5 := ((slice1window_sum_0_1 / 64) mod 2) = 1;
-      slice1winner1_best_index_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) or
-        slice1winner1_best_index_0_0_value_5 when slice1winner1_best_index_0_0_choice_6 else (not
-        (((slice1window_sum_0_0 / 64) mod 2) = 1)) and slice1winner1_best_index_0_0_value_5;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1window_sum_0_1 < slice1window_sum_0_0 else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= ((slice1window_sum_0_0 / 128) = 1) and (not ((slice1window_sum_0_1 / 128) = 1))
-        when slice1winner1_best_index_0_0_choice_7 else ((slice1window_sum_0_0 / 128) = 1) or (not
+      slice1winner1_of_pair_0_0_choice := (not (((slice1window_sum_0_1 / 2) mod 2) = 1)) or (not ((slice1window_sum_0_1
+        mod 2) = 1)) when (slice1window_sum_0_0 mod 2) = 1 else not (((slice1window_sum_0_1 / 2) mod 2) = 1);
+      slice1winner1_of_pair_0_0_choice_2 := slice1winner1_of_pair_0_0_choice when ((slice1window_sum_0_0 / 2) mod 2) =
+        1 else ((slice1window_sum_0_0 mod 2) = 1) and ((slice1window_sum_0_1 mod 4) = 0);
+      slice1winner1_of_pair_0_0_value := ((slice1window_sum_0_1 / 4) mod 2) = 1;
+      slice1winner1_of_pair_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) and
+        slice1winner1_of_pair_0_0_value when slice1winner1_of_pair_0_0_choice_2 else (not (((slice1window_sum_0_0 / 4)
+        mod 2) = 1)) or slice1winner1_of_pair_0_0_value;
+      slice1winner1_of_pair_0_0_value_2 := ((slice1window_sum_0_1 / 8) mod 2) = 1;
+      slice1winner1_of_pair_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) or
+        slice1winner1_of_pair_0_0_value_2 when slice1winner1_of_pair_0_0_choice_3 else (not (((slice1window_sum_0_0 /
+        8) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_2;
+      slice1winner1_of_pair_0_0_value_3 := ((slice1window_sum_0_1 / 16) mod 2) = 1;
+      slice1winner1_of_pair_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) or
+        slice1winner1_of_pair_0_0_value_3 when slice1winner1_of_pair_0_0_choice_4 else (not (((slice1window_sum_0_0 /
+        16) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_3;
+      slice1winner1_of_pair_0_0_value_4 := ((slice1window_sum_0_1 / 32) mod 2) = 1;
+      slice1winner1_of_pair_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) or
+        slice1winner1_of_pair_0_0_value_4 when slice1winner1_of_pair_0_0_choice_5 else (not (((slice1window_sum_0_0 /
+        32) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_4;
+      slice1winner1_of_pair_0_0_value_5 := ((slice1window_sum_0_1 / 64) mod 2) = 1;
+      slice1winner1_of_pair_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) or
+        slice1winner1_of_pair_0_0_value_5 when slice1winner1_of_pair_0_0_choice_6 else (not (((slice1window_sum_0_0 /
+        64) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_5;
+      slice1winner1_of_pair_0_0_choice_8 := ((slice1window_sum_0_0 / 128) = 1) and (not ((slice1window_sum_0_1 / 128) =
+        1)) when slice1winner1_of_pair_0_0_choice_7 else ((slice1window_sum_0_0 / 128) = 1) or (not
         ((slice1window_sum_0_1 / 128) = 1));
-      -- slice1winner2
-      slice1winner2_best_index_0_0_choice := (not (((slice1winner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((slice1winner1_best_cost_0_1 mod 2) = 1)) when (slice1winner1_best_cost_0_0 mod 2) = 1 else not
-        (((slice1winner1_best_cost_0_1 / 2) mod 2) = 1);
-      slice1winner2_best_index_0_0_choice_2 := slice1winner2_best_index_0_0_choice when ((slice1winner1_best_cost_0_0 /
-        2) mod 2) = 1 else ((slice1winner1_best_cost_0_0 mod 2) = 1) and ((slice1winner1_best_cost_0_1 mod 4) = 0);
-      slice1winner2_best_index_0_0_value := ((slice1winner1_best_cost_0_1 / 4) mod 2) = 1;
-      slice1winner2_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        slice1winner2_best_index_0_0_value when slice1winner2_best_index_0_0_choice_2 else (not
-        (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) or slice1winner2_best_index_0_0_value;
-      slice1winner2_best_index_0_0_value_2 := ((slice1winner1_best_cost_0_1 / 8) mod 2) = 1;
-      slice1winner2_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        slice1winner2_best_index_0_0_value_2 when slice1winner2_best_index_0_0_choice_3 else (not
-        (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) and slice1winner2_best_index_0_0_value_2;
-      slice1winner2_best_index_0_0_value_3 := ((slice1winner1_best_cost_0_1 / 16) mod 2) = 1;
-      slice1winner2_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        slice1winner2_best_index_0_0_value_3 when slice1winner2_best_index_0_0_choice_4 else (not
-        (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) and slice1winner2_best_index_0_0_value_3;
-      slice1winner2_best_index_0_0_value_4 := ((slice1winner1_best_cost_0_1 / 32) mod 2) = 1;
-      slice1winner2_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        slice1winner2_best_index_0_0_value_4 when slice1winner2_best_index_0_0_choice_5 else (not
-        (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) and slice1winner2_best_index_0_0_value_4;
-      slice1winner2_best_index_0_0_value_5 := ((slice1winner1_best_cost_0_1 / 64) mod 2) = 1;
-      slice1winner2_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        slice1winner2_best_index_0_0_value_5 when slice1winner2_best_index_0_0_choice_6 else (not
-        (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) and slice1winner2_best_index_0_0_value_5;
-      slice1winner2_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) and (not
-        ((slice1winner1_best_cost_0_1 / 128) = 1)) when slice1winner2_best_index_0_0_choice_7 else
-        ((slice1winner1_best_cost_0_0 / 128) = 1) or (not ((slice1winner1_best_cost_0_1 / 128) = 1));
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner1_best_cost_0_1 <
-        slice1winner1_best_cost_0_0 else slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_index_0_0_choice_8 else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_four_0_0_value := ((slice1winner1_of_pair_0_1 / 2) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_2 := ((slice1winner1_of_pair_0_0 / 2) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice := (not (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value or slice1winner1_of_four_0_0_value_2 when (not ((slice1winner1_of_pair_0_2 mod
+        2) = 1)) and (((slice1winner1_of_pair_0_1 mod 2) = 1) or ((slice1winner1_of_pair_0_0 mod 2) = 1)) else (not
+        (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) and (slice1winner1_of_four_0_0_value or
+        slice1winner1_of_four_0_0_value_2);
+      slice1winner1_of_four_0_0_value_3 := ((slice1winner1_of_pair_0_1 / 4) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_4 := ((slice1winner1_of_pair_0_0 / 4) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice_2 := (not (((slice1winner1_of_pair_0_2 / 4) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value_3 or slice1winner1_of_four_0_0_value_4 when slice1winner1_of_four_0_0_choice
+        else (not (((slice1winner1_of_pair_0_2 / 4) mod 2) = 1)) and (slice1winner1_of_four_0_0_value_3 or
+        slice1winner1_of_four_0_0_value_4);
+      slice1winner1_of_four_0_0_value_5 := ((slice1winner1_of_pair_0_1 / 8) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_6 := ((slice1winner1_of_pair_0_0 / 8) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice_3 := (not (((slice1winner1_of_pair_0_2 / 8) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value_5 or slice1winner1_of_four_0_0_value_6 when slice1winner1_of_four_0_0_choice_2
+        else (not (((slice1winner1_of_pair_0_2 / 8) mod 2) = 1)) and (slice1winner1_of_four_0_0_value_5 or
+        slice1winner1_of_four_0_0_value_6);
+      slice1winner1_of_four_0_0_value_7 := ((slice1winner1_of_pair_0_1 / 16) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_8 := ((slice1winner1_of_pair_0_0 / 16) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice_4 := (not (((slice1winner1_of_pair_0_2 / 16) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value_7 or slice1winner1_of_four_0_0_value_8 when slice1winner1_of_four_0_0_choice_3
+        else (not (((slice1winner1_of_pair_0_2 / 16) mod 2) = 1)) and (slice1winner1_of_four_0_0_value_7 or
+        slice1winner1_of_four_0_0_value_8);
+      slice1winner1_of_four_0_0_value_9 := ((slice1winner1_of_pair_0_1 / 32) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_10 := ((slice1winner1_of_pair_0_0 / 32) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice_5 := (not (((slice1winner1_of_pair_0_2 / 32) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value_9 or slice1winner1_of_four_0_0_value_10 when slice1winner1_of_four_0_0_choice_4
+        else (not (((slice1winner1_of_pair_0_2 / 32) mod 2) = 1)) and (slice1winner1_of_four_0_0_value_9 or
+        slice1winner1_of_four_0_0_value_10);
+      slice1winner1_of_four_0_0_value_11 := ((slice1winner1_of_pair_0_1 / 64) mod 2) = 1;
+      slice1winner1_of_four_0_0_value_12 := ((slice1winner1_of_pair_0_0 / 64) mod 2) = 1;
+      slice1winner1_of_four_0_0_choice_6 := (not (((slice1winner1_of_pair_0_2 / 64) mod 2) = 1)) or
+        slice1winner1_of_four_0_0_value_11 or slice1winner1_of_four_0_0_value_12 when
+        slice1winner1_of_four_0_0_choice_5 else (not (((slice1winner1_of_pair_0_2 / 64) mod 2) = 1)) and
+        (slice1winner1_of_four_0_0_value_11 or slice1winner1_of_four_0_0_value_12);
+      slice1winner1_of_four_0_0_choice_7 := (not ((slice1winner1_of_pair_0_2 / 128) = 1)) or
+        ((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1) when
+        slice1winner1_of_four_0_0_choice_6 else (not ((slice1winner1_of_pair_0_2 / 128) = 1)) and
+        (((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1));
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_choice_8 else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_choice_8 else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_choice_8;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_choice_7 else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_choice_7 else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_choice_7 else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_choice_7 else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 8)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 8)))) or (to_unsigned(slice1winner1_of_four_0_0, 8))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
       slice1_best_index_0_0_choice := (not (((slice0_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_0_0 mod
-        2) = 1)) when (slice1winner2_best_cost_0_0 mod 2) = 1 else not (((slice0_best_cost_0_0 / 2) mod 2) = 1);
-      slice1_best_index_0_0_choice_2 := slice1_best_index_0_0_choice when ((slice1winner2_best_cost_0_0 / 2) mod 2) = 1
-        else ((slice1winner2_best_cost_0_0 mod 2) = 1) and ((slice0_best_cost_0_0 mod 4) = 0);
+        2) = 1)) when (slice1winner1_best_cost_0_0 mod 2) = 1 else not (((slice0_best_cost_0_0 / 2) mod 2) = 1);
+      slice1_best_index_0_0_choice_2 := slice1_best_index_0_0_choice when ((slice1winner1_best_cost_0_0 / 2) mod 2) = 1
+        else ((slice1winner1_best_cost_0_0 mod 2) = 1) and ((slice0_best_cost_0_0 mod 4) = 0);
       slice1_best_index_0_0_value := ((slice0_best_cost_0_0 / 4) mod 2) = 1;
-      slice1_best_index_0_0_choice_3 := (not (((slice1winner2_best_cost_0_0 / 4) mod 2) = 1)) and
-        slice1_best_index_0_0_value when slice1_best_index_0_0_choice_2 else (not (((slice1winner2_best_cost_0_0 / 4)
+      slice1_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        slice1_best_index_0_0_value when slice1_best_index_0_0_choice_2 else (not (((slice1winner1_best_cost_0_0 / 4)
         mod 2) = 1)) or slice1_best_index_0_0_value;
       slice1_best_index_0_0_value_2 := ((slice0_best_cost_0_0 / 8) mod 2) = 1;
-      slice1_best_index_0_0_choice_4 := (not (((slice1winner2_best_cost_0_0 / 8) mod 2) = 1)) or
-        slice1_best_index_0_0_value_2 when slice1_best_index_0_0_choice_3 else (not (((slice1winner2_best_cost_0_0 / 8)
+      slice1_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        slice1_best_index_0_0_value_2 when slice1_best_index_0_0_choice_3 else (not (((slice1winner1_best_cost_0_0 / 8)
         mod 2) = 1)) and slice1_best_index_0_0_value_2;
       slice1_best_index_0_0_value_3 := ((slice0_best_cost_0_0 / 16) mod 2) = 1;
-      slice1_best_index_0_0_choice_5 := (not (((slice1winner2_best_cost_0_0 / 16) mod 2) = 1)) or
-        slice1_best_index_0_0_value_3 when slice1_best_index_0_0_choice_4 else (not (((slice1winner2_best_cost_0_0 /
+      slice1_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        slice1_best_index_0_0_value_3 when slice1_best_index_0_0_choice_4 else (not (((slice1winner1_best_cost_0_0 /
         16) mod 2) = 1)) and slice1_best_index_0_0_value_3;
       slice1_best_index_0_0_value_4 := ((slice0_best_cost_0_0 / 32) mod 2) = 1;
-      slice1_best_index_0_0_choice_6 := (not (((slice1winner2_best_cost_0_0 / 32) mod 2) = 1)) or
-        slice1_best_index_0_0_value_4 when slice1_best_index_0_0_choice_5 else (not (((slice1winner2_best_cost_0_0 /
+      slice1_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        slice1_best_index_0_0_value_4 when slice1_best_index_0_0_choice_5 else (not (((slice1winner1_best_cost_0_0 /
         32) mod 2) = 1)) and slice1_best_index_0_0_value_4;
       slice1_best_index_0_0_value_5 := ((slice0_best_cost_0_0 / 64) mod 2) = 1;
-      slice1_best_index_0_0_choice_7 := (not (((slice1winner2_best_cost_0_0 / 64) mod 2) = 1)) or
-        slice1_best_index_0_0_value_5 when slice1_best_index_0_0_choice_6 else (not (((slice1winner2_best_cost_0_0 /
+      slice1_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) or
+        slice1_best_index_0_0_value_5 when slice1_best_index_0_0_choice_6 else (not (((slice1winner1_best_cost_0_0 /
         64) mod 2) = 1)) and slice1_best_index_0_0_value_5;
-      slice1_best_index_0_0_choice_8 := ((slice1winner2_best_cost_0_0 / 128) = 1) and (not ((slice0_best_cost_0_0 /
-        128) = 1)) when slice1_best_index_0_0_choice_7 else ((slice1winner2_best_cost_0_0 / 128) = 1) or (not
+      slice1_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) and (not ((slice0_best_cost_0_0 /
+        128) = 1)) when slice1_best_index_0_0_choice_7 else ((slice1winner1_best_cost_0_0 / 128) = 1) or (not
         ((slice0_best_cost_0_0 / 128) = 1));
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice0_best_cost_0_0 < slice1winner2_best_cost_0_0 else
-        slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0 else
+        slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_choice_8 else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -4488,539 +3419,260 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := ((slice2shift_search_0_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := ((slice2shift_search_0_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_search_0_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not ((slice2shift_search_0_0 / 8388608) = 1) when
-        (slice2shift_reference_0 / 8388608) = 1 else (slice2shift_search_0_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := ((slice2shift_search_0_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        ((slice2shift_search_0_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        ((slice2shift_search_0_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        ((slice2shift_search_0_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not ((slice2shift_reference_0 / 8388608) = 1) when
-        (slice2shift_search_0_1 / 8388608) = 1 else (slice2shift_reference_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        ((slice2shift_search_0_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
-        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
-      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
-        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
-        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
-        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
-      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
-        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
-        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
-      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
-        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
-        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
-        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
-      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
-        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
-        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
-      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
-        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
-      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
-        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
-        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
-      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
-        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
-      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
-        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value_2 when
-        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
-      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_4 := ((slice2shift_search_1_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_4 when
-        slice2cost_pixels_first_1_0_count_6_value_3 else slice2cost_pixels_first_1_0_count_6_value_4;
-      slice2cost_pixels_first_1_0_count_6_value_5 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_6 := ((slice2shift_search_1_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_6 when
-        slice2cost_pixels_first_1_0_count_6_value_5 else slice2cost_pixels_first_1_0_count_6_value_6;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_search_1_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value_2 when
-        slice2cost_pixels_first_1_0_count_7_value else slice2cost_pixels_first_1_0_count_7_value_2;
-      slice2cost_pixels_first_1_0_count_7_choice_2 := not ((slice2shift_search_1_0 / 8388608) = 1) when
-        (slice2shift_reference_1 / 8388608) = 1 else (slice2shift_search_1_0 / 8388608) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_4 := ((slice2shift_search_1_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_4 when
-        slice2cost_pixels_first_1_0_count_7_value_3 else slice2cost_pixels_first_1_0_count_7_value_4;
-      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
-        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
-      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
-        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
-        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
-      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
-        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
-        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
-      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
-        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
-      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
-        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
-        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
-      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
-        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
-        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
-      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
-        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
-      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
-        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
-      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
-        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
-      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
-        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
-      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
-        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
-      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
-        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
-      slice2cost_pixels_first_1_1_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value when
-        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
-      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_3 when
-        ((slice2shift_search_1_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_3;
-      slice2cost_pixels_first_1_1_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_5 when
-        ((slice2shift_search_1_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_5;
-      slice2cost_pixels_first_1_1_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value when
-        ((slice2shift_search_1_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value;
-      slice2cost_pixels_first_1_1_count_7_choice_2 := not ((slice2shift_reference_1 / 8388608) = 1) when
-        (slice2shift_search_1_1 / 8388608) = 1 else (slice2shift_reference_1 / 8388608) = 1;
-      slice2cost_pixels_first_1_1_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_3 when
-        ((slice2shift_search_1_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value_3;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
-        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
-      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
-        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
-        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
-        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
-      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
-        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
-        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
-      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
-        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
-        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
-        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
-      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
-        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
-        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
-      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
-        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
-      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
-        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
-        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
-      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
-        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
-      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
-        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value_2 when
-        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
-      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_4 := ((slice2shift_search_2_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_4 when
-        slice2cost_pixels_first_2_0_count_6_value_3 else slice2cost_pixels_first_2_0_count_6_value_4;
-      slice2cost_pixels_first_2_0_count_6_value_5 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_6 := ((slice2shift_search_2_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_6 when
-        slice2cost_pixels_first_2_0_count_6_value_5 else slice2cost_pixels_first_2_0_count_6_value_6;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_search_2_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value_2 when
-        slice2cost_pixels_first_2_0_count_7_value else slice2cost_pixels_first_2_0_count_7_value_2;
-      slice2cost_pixels_first_2_0_count_7_choice_2 := not ((slice2shift_search_2_0 / 8388608) = 1) when
-        (slice2shift_reference_2 / 8388608) = 1 else (slice2shift_search_2_0 / 8388608) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_3 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_4 := ((slice2shift_search_2_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_4 when
-        slice2cost_pixels_first_2_0_count_7_value_3 else slice2cost_pixels_first_2_0_count_7_value_4;
-      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
-        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
-      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
-        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
-        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
-      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
-        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
-        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
-      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
-        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
-      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
-        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
-        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
-      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
-        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
-        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
-      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
-        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
-      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
-        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
-      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
-        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
-      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
-        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
-      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
-        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
-      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
-        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
-      slice2cost_pixels_first_2_1_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value when
-        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
-      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_3 when
-        ((slice2shift_search_2_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_3;
-      slice2cost_pixels_first_2_1_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_5 when
-        ((slice2shift_search_2_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_5;
-      slice2cost_pixels_first_2_1_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value when
-        ((slice2shift_search_2_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value;
-      slice2cost_pixels_first_2_1_count_7_choice_2 := not ((slice2shift_reference_2 / 8388608) = 1) when
-        (slice2shift_search_2_1 / 8388608) = 1 else (slice2shift_reference_2 / 8388608) = 1;
-      slice2cost_pixels_first_2_1_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_3 when
-        ((slice2shift_search_2_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value_3;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
-      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
-      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
-      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
-      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
-      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_3);
-      slice2cost_pixels_first_1_0_count_7 <= as_number(slice2cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
-      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
       slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
-      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
-      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
-      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
-      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_3);
-      slice2cost_pixels_first_1_1_count_7 <= as_number(slice2cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
-      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
-      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
-      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
-      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
-      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_3);
-      slice2cost_pixels_first_2_0_count_7 <= as_number(slice2cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
-      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
       slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
-      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
-      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
-      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
-      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_3);
-      slice2cost_pixels_first_2_1_count_7 <= as_number(slice2cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
         slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
         + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
@@ -5045,12 +3697,14 @@ begin
         slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
         + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
         slice2cost_pixels_first_2_1_count_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_0 +
-        slice2cost_pixels_cost_0_0 + slice2cost_pixels_cost_1_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_1 +
-        slice2cost_pixels_cost_0_1 + slice2cost_pixels_cost_1_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -5084,7 +3738,7 @@ begin
       slice2winner1_best_index_0_0_choice_7 := (not (((slice2window_sum_0_0 / 64) mod 2) = 1)) or
         slice2winner1_best_index_0_0_value_5 when slice2winner1_best_index_0_0_choice_6 else (not
         (((slice2window_sum_0_0 / 64) mod 2) = 1)) and slice2winner1_best_index_0_0_value_5;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2window_sum_0_1 < slice2window_sum_0_0 else
+      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= ((slice2window_sum_0_0 / 128) = 1) and (not ((slice2window_sum_0_1 / 128) = 1))
         when slice2winner1_best_index_0_0_choice_7 else ((slice2window_sum_0_0 / 128) = 1) or (not
@@ -5092,37 +3746,40 @@ begin
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0_choice := not (((slice2winner2_best_cost_0_0 / 2) mod 2) = 1) when (slice1_best_cost_0_0
-        mod 2) = 1 else (slice2winner2_best_cost_0_0 mod 4) = 0;
-      slice2_best_index_0_0_choice_2 := ((slice1_best_cost_0_0 mod 2) = 1) or (not (((slice2winner2_best_cost_0_0 / 2)
-        mod 2) = 1)) or (not ((slice2winner2_best_cost_0_0 mod 2) = 1)) when ((slice1_best_cost_0_0 / 2) mod 2) = 1
+      slice2_best_index_0_0_choice := not (((slice2winner3_best_cost_0_0 / 2) mod 2) = 1) when (slice1_best_cost_0_0
+        mod 2) = 1 else (slice2winner3_best_cost_0_0 mod 4) = 0;
+      slice2_best_index_0_0_choice_2 := ((slice1_best_cost_0_0 mod 2) = 1) or (not (((slice2winner3_best_cost_0_0 / 2)
+        mod 2) = 1)) or (not ((slice2winner3_best_cost_0_0 mod 2) = 1)) when ((slice1_best_cost_0_0 / 2) mod 2) = 1
         else slice2_best_index_0_0_choice;
-      slice2_best_index_0_0_value := ((slice2winner2_best_cost_0_0 / 4) mod 2) = 1;
+      slice2_best_index_0_0_value := ((slice2winner3_best_cost_0_0 / 4) mod 2) = 1;
       slice2_best_index_0_0_choice_3 := (not (((slice1_best_cost_0_0 / 4) mod 2) = 1)) and slice2_best_index_0_0_value
         when slice2_best_index_0_0_choice_2 else (not (((slice1_best_cost_0_0 / 4) mod 2) = 1)) or
         slice2_best_index_0_0_value;
-      slice2_best_index_0_0_value_2 := ((slice2winner2_best_cost_0_0 / 8) mod 2) = 1;
+      slice2_best_index_0_0_value_2 := ((slice2winner3_best_cost_0_0 / 8) mod 2) = 1;
       slice2_best_index_0_0_choice_4 := (not (((slice1_best_cost_0_0 / 8) mod 2) = 1)) or slice2_best_index_0_0_value_2
         when slice2_best_index_0_0_choice_3 else (not (((slice1_best_cost_0_0 / 8) mod 2) = 1)) and
         slice2_best_index_0_0_value_2;
-      slice2_best_index_0_0_value_3 := ((slice2winner2_best_cost_0_0 / 16) mod 2) = 1;
+      slice2_best_index_0_0_value_3 := ((slice2winner3_best_cost_0_0 / 16) mod 2) = 1;
       slice2_best_index_0_0_choice_5 := (not (((slice1_best_cost_0_0 / 16) mod 2) = 1)) or
         slice2_best_index_0_0_value_3 when slice2_best_index_0_0_choice_4 else (not (((slice1_best_cost_0_0 / 16) mod
         2) = 1)) and slice2_best_index_0_0_value_3;
-      slice2_best_index_0_0_value_4 := ((slice2winner2_best_cost_0_0 / 32) mod 2) = 1;
+      slice2_best_index_0_0_value_4 := ((slice2winner3_best_cost_0_0 / 32) mod 2) = 1;
       slice2_best_index_0_0_choice_6 := (not (((slice1_best_cost_0_0 / 32) mod 2) = 1)) or
         slice2_best_index_0_0_value_4 when slice2_best_index_0_0_choice_5 else (not (((slice1_best_cost_0_0 / 32) mod
         2) = 1)) and slice2_best_index_0_0_value_4;
-      slice2_best_index_0_0_value_5 := ((slice2winner2_best_cost_0_0 / 64) mod 2) = 1;
+      slice2_best_index_0_0_value_5 := ((slice2winner3_best_cost_0_0 / 64) mod 2) = 1;
       slice2_best_index_0_0_choice_7 := (not (((slice1_best_cost_0_0 / 64) mod 2) = 1)) or
         slice2_best_index_0_0_value_5 when slice2_best_index_0_0_choice_6 else (not (((slice1_best_cost_0_0 / 64) mod
         2) = 1)) and slice2_best_index_0_0_value_5;
-      slice2_best_index_0_0_choice_8 := (not ((slice1_best_cost_0_0 / 128) = 1)) or ((slice2winner2_best_cost_0_0 /
+      slice2_best_index_0_0_choice_8 := (not ((slice1_best_cost_0_0 / 128) = 1)) or ((slice2winner3_best_cost_0_0 /
         128) = 1) when slice2_best_index_0_0_choice_7 else (not ((slice1_best_cost_0_0 / 128) = 1)) and
-        ((slice2winner2_best_cost_0_0 / 128) = 1);
+        ((slice2winner3_best_cost_0_0 / 128) = 1);
       slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_choice_8 else
-        as_number(slice2winner2_best_index_0_0);
+        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -5141,14 +3798,14 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -5183,6 +3840,10 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_output_column <= false;
         slice0cost_tag_start_of_frame <= false;
@@ -5194,14 +3855,18 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_census_9x7: 32x12, 5 disparities, window 3x3, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_census_9x7: 32x12, 5 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 5, cost census, census_width_px 9, census_height_px 7.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_census_9x7
@@ -17,7 +17,7 @@ entity stereo_core_tiny_census_9x7 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 27;
-    latency_clocks : positive := 20;
+    latency_clocks : positive := 22;
     flush_groups : positive := 132;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_census_9x7: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_census_9x7: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 27 report "stereo_core_tiny_census_9x7: output_width_px is " & integer'image(output_width_px) & " but this core has 27" severity failure;
-  assert latency_clocks = 20 report "stereo_core_tiny_census_9x7: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
+  assert latency_clocks = 22 report "stereo_core_tiny_census_9x7: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
   assert flush_groups = 132 report "stereo_core_tiny_census_9x7: flush_groups is " & integer'image(flush_groups) & " but this core has 132" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_census_9x7: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_census_9x7 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_census_9x7 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -183,12 +181,12 @@ architecture rtl of stereo_core_tiny_census_9x7 is
   signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
   signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_column_inside_5 : boolean;
-  signal transform_filtering_column_inside_6, transform_filtering_column_inside_7 : boolean;
-  signal transform_filtering_column_inside_8, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_5 : boolean;
+  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_7 : boolean;
+  signal transform_filtering_0_column_inside_8, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 15;
@@ -201,7 +199,7 @@ architecture rtl of stereo_core_tiny_census_9x7 is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : unsigned(61 downto 0);
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : unsigned(61 downto 0);
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -399,13 +397,19 @@ architecture rtl of stereo_core_tiny_census_9x7 is
   signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 62;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 62;
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 62;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 62;
   signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 62;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 62;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 62;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 124;
+  signal slice0cost_pair_0_4 : natural range 0 to 124;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 186;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 186;
   -- slice0window
@@ -419,21 +423,24 @@ architecture rtl of stereo_core_tiny_census_9x7 is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 558;
   signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 558;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 558;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 4;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 558;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_four_0_0 : natural range 0 to 558;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 558;
+  signal slice0winner1_of_four_0_4, slice0winner1_best_cost_0_1 : natural range 0 to 558;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2, slice0winner1_four_index_0_1 : natural range 0 to 4;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 4;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 1023;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 558;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 4;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 4;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_index_0_0 : natural range 0 to 4;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_index_0_0 : natural range 0 to 4;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -534,10 +541,6 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
     variable transform_counter_group_is_equal_2, transform_counter_group_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal_3, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
     variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
     variable transform_read_column_inside_0_any, transform_read_column_inside_1_value : boolean;
     variable transform_read_column_inside_1_all, transform_read_column_inside_1_choice : boolean;
@@ -1050,637 +1053,101 @@ begin
     variable transform_right_filter_feature_0_choice_493, transform_right_filter_feature_0_value_10 : boolean;
     variable transform_right_filter_feature_0_choice_494, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_495, transform_right_filter_feature_0_choice_496 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_1_is_less : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3 : boolean;
+    variable raster_place_next_frame_choice_4, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_6, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_8_value, slice0cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice, slice0cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_4, slice0cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_5, slice0cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_3, slice0cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_choice_2, slice0cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_6, slice0cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_10_value, slice0cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice, slice0cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_4, slice0cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_5, slice0cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_3, slice0cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_choice_2, slice0cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_6, slice0cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_12_value, slice0cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice, slice0cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_4, slice0cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_5, slice0cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_3, slice0cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_choice_2, slice0cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_6, slice0cost_pixels_first_0_0_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_14_value, slice0cost_pixels_first_0_0_count_14_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_choice, slice0cost_pixels_first_0_0_count_14_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_value_4, slice0cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_value_5, slice0cost_pixels_first_0_0_count_14_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_choice_3, slice0cost_pixels_first_0_0_count_15_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_15_value_2, slice0cost_pixels_first_0_0_count_15_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_15_value_3, slice0cost_pixels_first_0_0_count_15_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_15_choice_2, slice0cost_pixels_first_0_0_count_15_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_15_value_6, slice0cost_pixels_first_0_0_count_15_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_14_value_3, slice0cost_pixels_first_0_0_count_15_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_15_value_2, slice0cost_pixels_first_0_0_count_15_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_16_value, slice0cost_pixels_first_0_0_count_16_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_16_choice, slice0cost_pixels_first_0_0_count_16_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_16_value_4, slice0cost_pixels_first_0_0_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_16_value_5, slice0cost_pixels_first_0_0_count_16_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_16_choice_3, slice0cost_pixels_first_0_0_count_17_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_17_value_2, slice0cost_pixels_first_0_0_count_17_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_17_value_3, slice0cost_pixels_first_0_0_count_17_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_17_choice_2, slice0cost_pixels_first_0_0_count_17_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_17_value_6, slice0cost_pixels_first_0_0_count_17_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_16_value_3, slice0cost_pixels_first_0_0_count_17_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_17_value_2, slice0cost_pixels_first_0_0_count_17_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_18_value, slice0cost_pixels_first_0_0_count_18_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_18_choice, slice0cost_pixels_first_0_0_count_18_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_18_value_4, slice0cost_pixels_first_0_0_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_18_value_5, slice0cost_pixels_first_0_0_count_18_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_18_choice_3, slice0cost_pixels_first_0_0_count_19_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_19_value_2, slice0cost_pixels_first_0_0_count_19_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_19_value_3, slice0cost_pixels_first_0_0_count_19_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_19_choice_2, slice0cost_pixels_first_0_0_count_19_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_19_value_6, slice0cost_pixels_first_0_0_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_20_choice, slice0cost_pixels_first_0_0_count_20_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_20_value_2, slice0cost_pixels_first_0_0_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice, slice0cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice_3, slice0cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_9_choice_2, slice0cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice, slice0cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice_3, slice0cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_11_choice_2, slice0cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice, slice0cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice_3, slice0cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_13_choice_2, slice0cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_14_choice, slice0cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_14_choice_3, slice0cost_pixels_first_0_1_count_15_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_15_choice_2, slice0cost_pixels_first_0_1_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_16_choice, slice0cost_pixels_first_0_1_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_16_choice_3, slice0cost_pixels_first_0_1_count_17_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_17_choice_2, slice0cost_pixels_first_0_1_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_18_choice, slice0cost_pixels_first_0_1_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_18_choice_3, slice0cost_pixels_first_0_1_count_19_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_19_choice_2, slice0cost_pixels_first_0_1_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_20_choice, slice0cost_pixels_first_0_1_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice, slice0cost_pixels_first_0_2_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice_3, slice0cost_pixels_first_0_2_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_9_choice_2, slice0cost_pixels_first_0_2_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice, slice0cost_pixels_first_0_2_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice_3, slice0cost_pixels_first_0_2_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_11_choice_2, slice0cost_pixels_first_0_2_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice, slice0cost_pixels_first_0_2_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice_3, slice0cost_pixels_first_0_2_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_13_choice_2, slice0cost_pixels_first_0_2_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_14_choice, slice0cost_pixels_first_0_2_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_14_choice_3, slice0cost_pixels_first_0_2_count_15_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_15_choice_2, slice0cost_pixels_first_0_2_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_16_choice, slice0cost_pixels_first_0_2_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_16_choice_3, slice0cost_pixels_first_0_2_count_17_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_17_choice_2, slice0cost_pixels_first_0_2_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_18_choice, slice0cost_pixels_first_0_2_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_18_choice_3, slice0cost_pixels_first_0_2_count_19_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_19_choice_2, slice0cost_pixels_first_0_2_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_20_choice, slice0cost_pixels_first_0_2_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice, slice0cost_pixels_first_0_3_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice_3, slice0cost_pixels_first_0_3_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_9_choice_2, slice0cost_pixels_first_0_3_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice, slice0cost_pixels_first_0_3_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice_3, slice0cost_pixels_first_0_3_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_11_choice_2, slice0cost_pixels_first_0_3_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice, slice0cost_pixels_first_0_3_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice_3, slice0cost_pixels_first_0_3_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_13_choice_2, slice0cost_pixels_first_0_3_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_14_choice, slice0cost_pixels_first_0_3_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_14_choice_3, slice0cost_pixels_first_0_3_count_15_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_15_choice_2, slice0cost_pixels_first_0_3_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_16_choice, slice0cost_pixels_first_0_3_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_16_choice_3, slice0cost_pixels_first_0_3_count_17_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_17_choice_2, slice0cost_pixels_first_0_3_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_18_choice, slice0cost_pixels_first_0_3_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_18_choice_3, slice0cost_pixels_first_0_3_count_19_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_19_choice_2, slice0cost_pixels_first_0_3_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_20_choice, slice0cost_pixels_first_0_3_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice, slice0cost_pixels_first_0_4_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice_3, slice0cost_pixels_first_0_4_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_9_choice_2, slice0cost_pixels_first_0_4_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice, slice0cost_pixels_first_0_4_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice_3, slice0cost_pixels_first_0_4_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_11_choice_2, slice0cost_pixels_first_0_4_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice, slice0cost_pixels_first_0_4_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice_3, slice0cost_pixels_first_0_4_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_13_choice_2, slice0cost_pixels_first_0_4_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_14_choice, slice0cost_pixels_first_0_4_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_14_choice_3, slice0cost_pixels_first_0_4_count_15_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_15_choice_2, slice0cost_pixels_first_0_4_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_16_choice, slice0cost_pixels_first_0_4_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_16_choice_3, slice0cost_pixels_first_0_4_count_17_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_17_choice_2, slice0cost_pixels_first_0_4_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_18_choice, slice0cost_pixels_first_0_4_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_18_choice_3, slice0cost_pixels_first_0_4_count_19_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_19_choice_2, slice0cost_pixels_first_0_4_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_20_choice, slice0cost_pixels_first_0_4_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice, slice0cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_4, slice0cost_pixels_first_1_0_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_4, slice0cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_5, slice0cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_3, slice0cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_2, slice0cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_6, slice0cost_pixels_first_1_0_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_4, slice0cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_5, slice0cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_2, slice0cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_6, slice0cost_pixels_first_1_0_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_4, slice0cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_5, slice0cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_3, slice0cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_2, slice0cost_pixels_first_1_0_count_7_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_6, slice0cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_value, slice0cost_pixels_first_1_0_count_8_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_choice, slice0cost_pixels_first_1_0_count_8_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_value_4, slice0cost_pixels_first_1_0_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_value_5, slice0cost_pixels_first_1_0_count_8_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_8_choice_3, slice0cost_pixels_first_1_0_count_9_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_9_value_2, slice0cost_pixels_first_1_0_count_9_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_9_value_3, slice0cost_pixels_first_1_0_count_9_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_9_choice_2, slice0cost_pixels_first_1_0_count_9_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_9_value_6, slice0cost_pixels_first_1_0_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_10_value, slice0cost_pixels_first_1_0_count_10_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_10_choice, slice0cost_pixels_first_1_0_count_10_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_10_value_4, slice0cost_pixels_first_1_0_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_10_value_5, slice0cost_pixels_first_1_0_count_10_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_10_choice_3, slice0cost_pixels_first_1_0_count_11_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_11_value_2, slice0cost_pixels_first_1_0_count_11_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_11_value_3, slice0cost_pixels_first_1_0_count_11_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_11_choice_2, slice0cost_pixels_first_1_0_count_11_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_11_value_6, slice0cost_pixels_first_1_0_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_12_value, slice0cost_pixels_first_1_0_count_12_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_12_choice, slice0cost_pixels_first_1_0_count_12_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_12_value_4, slice0cost_pixels_first_1_0_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_12_value_5, slice0cost_pixels_first_1_0_count_12_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_12_choice_3, slice0cost_pixels_first_1_0_count_13_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_13_value_2, slice0cost_pixels_first_1_0_count_13_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_13_value_3, slice0cost_pixels_first_1_0_count_13_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_13_choice_2, slice0cost_pixels_first_1_0_count_13_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_13_value_6, slice0cost_pixels_first_1_0_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_14_value, slice0cost_pixels_first_1_0_count_14_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_14_choice, slice0cost_pixels_first_1_0_count_14_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_14_value_4, slice0cost_pixels_first_1_0_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_14_value_5, slice0cost_pixels_first_1_0_count_14_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_14_choice_3, slice0cost_pixels_first_1_0_count_15_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_15_value_2, slice0cost_pixels_first_1_0_count_15_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_15_value_3, slice0cost_pixels_first_1_0_count_15_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_15_choice_2, slice0cost_pixels_first_1_0_count_15_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_15_value_6, slice0cost_pixels_first_1_0_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_16_value, slice0cost_pixels_first_1_0_count_16_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_16_choice, slice0cost_pixels_first_1_0_count_16_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_16_value_4, slice0cost_pixels_first_1_0_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_16_value_5, slice0cost_pixels_first_1_0_count_16_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_16_choice_3, slice0cost_pixels_first_1_0_count_17_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_17_value_2, slice0cost_pixels_first_1_0_count_17_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_17_value_3, slice0cost_pixels_first_1_0_count_17_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_17_choice_2, slice0cost_pixels_first_1_0_count_17_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_17_value_6, slice0cost_pixels_first_1_0_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_18_value, slice0cost_pixels_first_1_0_count_18_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_18_choice, slice0cost_pixels_first_1_0_count_18_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_18_value_4, slice0cost_pixels_first_1_0_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_18_value_5, slice0cost_pixels_first_1_0_count_18_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_18_choice_3, slice0cost_pixels_first_1_0_count_19_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_19_value_2, slice0cost_pixels_first_1_0_count_19_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_19_value_3, slice0cost_pixels_first_1_0_count_19_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_19_choice_2, slice0cost_pixels_first_1_0_count_19_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_19_value_6, slice0cost_pixels_first_1_0_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_20_choice, slice0cost_pixels_first_1_0_count_20_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_20_value_2, slice0cost_pixels_first_1_0_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice, slice0cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice, slice0cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_3, slice0cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice_2, slice0cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_2, slice0cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice, slice0cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_3, slice0cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_2, slice0cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice, slice0cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_3, slice0cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_2, slice0cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_8_choice, slice0cost_pixels_first_1_1_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_8_choice_3, slice0cost_pixels_first_1_1_count_9_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_9_choice_2, slice0cost_pixels_first_1_1_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_10_choice, slice0cost_pixels_first_1_1_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_10_choice_3, slice0cost_pixels_first_1_1_count_11_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_11_choice_2, slice0cost_pixels_first_1_1_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_12_choice, slice0cost_pixels_first_1_1_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_12_choice_3, slice0cost_pixels_first_1_1_count_13_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_13_choice_2, slice0cost_pixels_first_1_1_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_14_choice, slice0cost_pixels_first_1_1_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_14_choice_3, slice0cost_pixels_first_1_1_count_15_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_15_choice_2, slice0cost_pixels_first_1_1_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_16_choice, slice0cost_pixels_first_1_1_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_16_choice_3, slice0cost_pixels_first_1_1_count_17_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_17_choice_2, slice0cost_pixels_first_1_1_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_18_choice, slice0cost_pixels_first_1_1_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_18_choice_3, slice0cost_pixels_first_1_1_count_19_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_19_choice_2, slice0cost_pixels_first_1_1_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_20_choice, slice0cost_pixels_first_1_1_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice, slice0cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice, slice0cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_3, slice0cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice_2, slice0cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_2, slice0cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice, slice0cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_3, slice0cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_2, slice0cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice, slice0cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_3, slice0cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_2, slice0cost_pixels_first_1_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_8_choice, slice0cost_pixels_first_1_2_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_8_choice_3, slice0cost_pixels_first_1_2_count_9_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_9_choice_2, slice0cost_pixels_first_1_2_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_10_choice, slice0cost_pixels_first_1_2_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_10_choice_3, slice0cost_pixels_first_1_2_count_11_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_11_choice_2, slice0cost_pixels_first_1_2_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_12_choice, slice0cost_pixels_first_1_2_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_12_choice_3, slice0cost_pixels_first_1_2_count_13_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_13_choice_2, slice0cost_pixels_first_1_2_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_14_choice, slice0cost_pixels_first_1_2_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_14_choice_3, slice0cost_pixels_first_1_2_count_15_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_15_choice_2, slice0cost_pixels_first_1_2_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_16_choice, slice0cost_pixels_first_1_2_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_16_choice_3, slice0cost_pixels_first_1_2_count_17_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_17_choice_2, slice0cost_pixels_first_1_2_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_18_choice, slice0cost_pixels_first_1_2_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_18_choice_3, slice0cost_pixels_first_1_2_count_19_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_19_choice_2, slice0cost_pixels_first_1_2_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_20_choice, slice0cost_pixels_first_1_2_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_0_choice, slice0cost_pixels_first_1_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice, slice0cost_pixels_first_1_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice_3, slice0cost_pixels_first_1_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_2_choice_2, slice0cost_pixels_first_1_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice_2, slice0cost_pixels_first_1_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice, slice0cost_pixels_first_1_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice_3, slice0cost_pixels_first_1_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice_2, slice0cost_pixels_first_1_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice, slice0cost_pixels_first_1_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice_3, slice0cost_pixels_first_1_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice_2, slice0cost_pixels_first_1_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_8_choice, slice0cost_pixels_first_1_3_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_8_choice_3, slice0cost_pixels_first_1_3_count_9_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_9_choice_2, slice0cost_pixels_first_1_3_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_10_choice, slice0cost_pixels_first_1_3_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_10_choice_3, slice0cost_pixels_first_1_3_count_11_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_11_choice_2, slice0cost_pixels_first_1_3_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_12_choice, slice0cost_pixels_first_1_3_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_12_choice_3, slice0cost_pixels_first_1_3_count_13_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_13_choice_2, slice0cost_pixels_first_1_3_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_14_choice, slice0cost_pixels_first_1_3_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_14_choice_3, slice0cost_pixels_first_1_3_count_15_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_15_choice_2, slice0cost_pixels_first_1_3_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_16_choice, slice0cost_pixels_first_1_3_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_16_choice_3, slice0cost_pixels_first_1_3_count_17_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_17_choice_2, slice0cost_pixels_first_1_3_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_18_choice, slice0cost_pixels_first_1_3_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_18_choice_3, slice0cost_pixels_first_1_3_count_19_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_19_choice_2, slice0cost_pixels_first_1_3_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_20_choice, slice0cost_pixels_first_1_3_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_0_choice, slice0cost_pixels_first_1_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice, slice0cost_pixels_first_1_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice_3, slice0cost_pixels_first_1_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_2_choice_2, slice0cost_pixels_first_1_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice_2, slice0cost_pixels_first_1_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice, slice0cost_pixels_first_1_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice_3, slice0cost_pixels_first_1_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice_2, slice0cost_pixels_first_1_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice, slice0cost_pixels_first_1_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice_3, slice0cost_pixels_first_1_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice_2, slice0cost_pixels_first_1_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_8_choice, slice0cost_pixels_first_1_4_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_8_choice_3, slice0cost_pixels_first_1_4_count_9_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_9_choice_2, slice0cost_pixels_first_1_4_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_10_choice, slice0cost_pixels_first_1_4_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_10_choice_3, slice0cost_pixels_first_1_4_count_11_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_11_choice_2, slice0cost_pixels_first_1_4_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_12_choice, slice0cost_pixels_first_1_4_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_12_choice_3, slice0cost_pixels_first_1_4_count_13_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_13_choice_2, slice0cost_pixels_first_1_4_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_14_choice, slice0cost_pixels_first_1_4_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_14_choice_3, slice0cost_pixels_first_1_4_count_15_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_15_choice_2, slice0cost_pixels_first_1_4_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_16_choice, slice0cost_pixels_first_1_4_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_16_choice_3, slice0cost_pixels_first_1_4_count_17_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_17_choice_2, slice0cost_pixels_first_1_4_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_18_choice, slice0cost_pixels_first_1_4_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_18_choice_3, slice0cost_pixels_first_1_4_count_19_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_19_choice_2, slice0cost_pixels_first_1_4_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_20_choice, slice0cost_pixels_first_1_4_count_20_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_18_value_3, slice0cost_pixels_first_0_0_count_19_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_19_value_2, slice0cost_pixels_first_0_0_count_19_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_20_value, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value_3, slice0cost_pixels_first_1_0_count_8_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_8_value_2, slice0cost_pixels_first_1_0_count_8_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_9_value, slice0cost_pixels_first_1_0_count_9_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_9_value_3, slice0cost_pixels_first_1_0_count_10_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_10_value_2, slice0cost_pixels_first_1_0_count_10_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_11_value, slice0cost_pixels_first_1_0_count_11_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_11_value_3, slice0cost_pixels_first_1_0_count_12_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_12_value_2, slice0cost_pixels_first_1_0_count_12_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_13_value, slice0cost_pixels_first_1_0_count_13_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_13_value_3, slice0cost_pixels_first_1_0_count_14_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_14_value_2, slice0cost_pixels_first_1_0_count_14_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_15_value, slice0cost_pixels_first_1_0_count_15_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_15_value_3, slice0cost_pixels_first_1_0_count_16_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_16_value_2, slice0cost_pixels_first_1_0_count_16_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_17_value, slice0cost_pixels_first_1_0_count_17_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_17_value_3, slice0cost_pixels_first_1_0_count_18_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_18_value_2, slice0cost_pixels_first_1_0_count_18_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_19_value, slice0cost_pixels_first_1_0_count_19_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_19_value_3, slice0cost_pixels_first_1_0_count_20_value : boolean;
     variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice, slice0cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_4, slice0cost_pixels_first_2_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_4, slice0cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_5, slice0cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_3, slice0cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_2, slice0cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_6, slice0cost_pixels_first_2_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_4, slice0cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_5, slice0cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_2, slice0cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_6, slice0cost_pixels_first_2_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_4, slice0cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_5, slice0cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_3, slice0cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_2, slice0cost_pixels_first_2_0_count_7_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_6, slice0cost_pixels_first_2_0_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0cost_pixels_first_2_0_count_7_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_8_value, slice0cost_pixels_first_2_0_count_8_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_8_choice, slice0cost_pixels_first_2_0_count_8_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_8_value_4, slice0cost_pixels_first_2_0_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_8_value_5, slice0cost_pixels_first_2_0_count_8_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_8_choice_3, slice0cost_pixels_first_2_0_count_9_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_9_value_2, slice0cost_pixels_first_2_0_count_9_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_9_value_3, slice0cost_pixels_first_2_0_count_9_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_9_choice_2, slice0cost_pixels_first_2_0_count_9_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_9_value_6, slice0cost_pixels_first_2_0_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_8_value_3, slice0cost_pixels_first_2_0_count_9_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_9_value_2, slice0cost_pixels_first_2_0_count_9_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_10_value, slice0cost_pixels_first_2_0_count_10_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_10_choice, slice0cost_pixels_first_2_0_count_10_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_10_value_4, slice0cost_pixels_first_2_0_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_10_value_5, slice0cost_pixels_first_2_0_count_10_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_10_choice_3, slice0cost_pixels_first_2_0_count_11_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_11_value_2, slice0cost_pixels_first_2_0_count_11_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_11_value_3, slice0cost_pixels_first_2_0_count_11_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_11_choice_2, slice0cost_pixels_first_2_0_count_11_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_11_value_6, slice0cost_pixels_first_2_0_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_10_value_3, slice0cost_pixels_first_2_0_count_11_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_11_value_2, slice0cost_pixels_first_2_0_count_11_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_12_value, slice0cost_pixels_first_2_0_count_12_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_12_choice, slice0cost_pixels_first_2_0_count_12_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_12_value_4, slice0cost_pixels_first_2_0_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_12_value_5, slice0cost_pixels_first_2_0_count_12_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_12_choice_3, slice0cost_pixels_first_2_0_count_13_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_13_value_2, slice0cost_pixels_first_2_0_count_13_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_13_value_3, slice0cost_pixels_first_2_0_count_13_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_13_choice_2, slice0cost_pixels_first_2_0_count_13_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_13_value_6, slice0cost_pixels_first_2_0_count_13_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_12_value_3, slice0cost_pixels_first_2_0_count_13_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_13_value_2, slice0cost_pixels_first_2_0_count_13_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_14_value, slice0cost_pixels_first_2_0_count_14_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_14_choice, slice0cost_pixels_first_2_0_count_14_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_14_value_4, slice0cost_pixels_first_2_0_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_14_value_5, slice0cost_pixels_first_2_0_count_14_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_14_choice_3, slice0cost_pixels_first_2_0_count_15_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_15_value_2, slice0cost_pixels_first_2_0_count_15_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_15_value_3, slice0cost_pixels_first_2_0_count_15_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_15_choice_2, slice0cost_pixels_first_2_0_count_15_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_15_value_6, slice0cost_pixels_first_2_0_count_15_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_14_value_3, slice0cost_pixels_first_2_0_count_15_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_15_value_2, slice0cost_pixels_first_2_0_count_15_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_16_value, slice0cost_pixels_first_2_0_count_16_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_16_choice, slice0cost_pixels_first_2_0_count_16_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_16_value_4, slice0cost_pixels_first_2_0_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_16_value_5, slice0cost_pixels_first_2_0_count_16_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_16_choice_3, slice0cost_pixels_first_2_0_count_17_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_17_value_2, slice0cost_pixels_first_2_0_count_17_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_17_value_3, slice0cost_pixels_first_2_0_count_17_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_17_choice_2, slice0cost_pixels_first_2_0_count_17_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_17_value_6, slice0cost_pixels_first_2_0_count_17_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_16_value_3, slice0cost_pixels_first_2_0_count_17_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_17_value_2, slice0cost_pixels_first_2_0_count_17_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_18_value, slice0cost_pixels_first_2_0_count_18_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_18_choice, slice0cost_pixels_first_2_0_count_18_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_18_value_4, slice0cost_pixels_first_2_0_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_18_value_5, slice0cost_pixels_first_2_0_count_18_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_18_choice_3, slice0cost_pixels_first_2_0_count_19_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_19_value_2, slice0cost_pixels_first_2_0_count_19_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_19_value_3, slice0cost_pixels_first_2_0_count_19_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_19_choice_2, slice0cost_pixels_first_2_0_count_19_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_19_value_6, slice0cost_pixels_first_2_0_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_20_choice, slice0cost_pixels_first_2_0_count_20_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_20_value_2, slice0cost_pixels_first_2_0_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice, slice0cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice, slice0cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_3, slice0cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice_2, slice0cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_2, slice0cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice, slice0cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_3, slice0cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_2, slice0cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice, slice0cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_3, slice0cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_2, slice0cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_8_choice, slice0cost_pixels_first_2_1_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_8_choice_3, slice0cost_pixels_first_2_1_count_9_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_9_choice_2, slice0cost_pixels_first_2_1_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_10_choice, slice0cost_pixels_first_2_1_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_10_choice_3, slice0cost_pixels_first_2_1_count_11_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_11_choice_2, slice0cost_pixels_first_2_1_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_12_choice, slice0cost_pixels_first_2_1_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_12_choice_3, slice0cost_pixels_first_2_1_count_13_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_13_choice_2, slice0cost_pixels_first_2_1_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_14_choice, slice0cost_pixels_first_2_1_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_14_choice_3, slice0cost_pixels_first_2_1_count_15_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_15_choice_2, slice0cost_pixels_first_2_1_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_16_choice, slice0cost_pixels_first_2_1_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_16_choice_3, slice0cost_pixels_first_2_1_count_17_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_17_choice_2, slice0cost_pixels_first_2_1_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_18_choice, slice0cost_pixels_first_2_1_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_18_choice_3, slice0cost_pixels_first_2_1_count_19_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_19_choice_2, slice0cost_pixels_first_2_1_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_20_choice, slice0cost_pixels_first_2_1_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice, slice0cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice, slice0cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_3, slice0cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice_2, slice0cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_2, slice0cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice, slice0cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_3, slice0cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_2, slice0cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice, slice0cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_3, slice0cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_2, slice0cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_8_choice, slice0cost_pixels_first_2_2_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_8_choice_3, slice0cost_pixels_first_2_2_count_9_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_9_choice_2, slice0cost_pixels_first_2_2_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_10_choice, slice0cost_pixels_first_2_2_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_10_choice_3, slice0cost_pixels_first_2_2_count_11_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_11_choice_2, slice0cost_pixels_first_2_2_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_12_choice, slice0cost_pixels_first_2_2_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_12_choice_3, slice0cost_pixels_first_2_2_count_13_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_13_choice_2, slice0cost_pixels_first_2_2_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_14_choice, slice0cost_pixels_first_2_2_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_14_choice_3, slice0cost_pixels_first_2_2_count_15_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_15_choice_2, slice0cost_pixels_first_2_2_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_16_choice, slice0cost_pixels_first_2_2_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_16_choice_3, slice0cost_pixels_first_2_2_count_17_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_17_choice_2, slice0cost_pixels_first_2_2_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_18_choice, slice0cost_pixels_first_2_2_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_18_choice_3, slice0cost_pixels_first_2_2_count_19_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_19_choice_2, slice0cost_pixels_first_2_2_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_20_choice, slice0cost_pixels_first_2_2_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_0_choice, slice0cost_pixels_first_2_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice, slice0cost_pixels_first_2_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice_3, slice0cost_pixels_first_2_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_2_choice_2, slice0cost_pixels_first_2_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice_2, slice0cost_pixels_first_2_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice, slice0cost_pixels_first_2_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice_3, slice0cost_pixels_first_2_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice_2, slice0cost_pixels_first_2_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice, slice0cost_pixels_first_2_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice_3, slice0cost_pixels_first_2_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice_2, slice0cost_pixels_first_2_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_8_choice, slice0cost_pixels_first_2_3_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_8_choice_3, slice0cost_pixels_first_2_3_count_9_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_9_choice_2, slice0cost_pixels_first_2_3_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_10_choice, slice0cost_pixels_first_2_3_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_10_choice_3, slice0cost_pixels_first_2_3_count_11_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_11_choice_2, slice0cost_pixels_first_2_3_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_12_choice, slice0cost_pixels_first_2_3_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_12_choice_3, slice0cost_pixels_first_2_3_count_13_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_13_choice_2, slice0cost_pixels_first_2_3_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_14_choice, slice0cost_pixels_first_2_3_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_14_choice_3, slice0cost_pixels_first_2_3_count_15_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_15_choice_2, slice0cost_pixels_first_2_3_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_16_choice, slice0cost_pixels_first_2_3_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_16_choice_3, slice0cost_pixels_first_2_3_count_17_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_17_choice_2, slice0cost_pixels_first_2_3_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_18_choice, slice0cost_pixels_first_2_3_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_18_choice_3, slice0cost_pixels_first_2_3_count_19_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_19_choice_2, slice0cost_pixels_first_2_3_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_20_choice, slice0cost_pixels_first_2_3_count_20_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_0_choice, slice0cost_pixels_first_2_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice, slice0cost_pixels_first_2_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice_3, slice0cost_pixels_first_2_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_2_choice_2, slice0cost_pixels_first_2_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice_2, slice0cost_pixels_first_2_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice, slice0cost_pixels_first_2_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice_3, slice0cost_pixels_first_2_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice_2, slice0cost_pixels_first_2_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice, slice0cost_pixels_first_2_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice_3, slice0cost_pixels_first_2_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice_2, slice0cost_pixels_first_2_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_8_choice, slice0cost_pixels_first_2_4_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_8_choice_3, slice0cost_pixels_first_2_4_count_9_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_9_choice_2, slice0cost_pixels_first_2_4_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_10_choice, slice0cost_pixels_first_2_4_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_10_choice_3, slice0cost_pixels_first_2_4_count_11_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_11_choice_2, slice0cost_pixels_first_2_4_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_12_choice, slice0cost_pixels_first_2_4_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_12_choice_3, slice0cost_pixels_first_2_4_count_13_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_13_choice_2, slice0cost_pixels_first_2_4_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_14_choice, slice0cost_pixels_first_2_4_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_14_choice_3, slice0cost_pixels_first_2_4_count_15_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_15_choice_2, slice0cost_pixels_first_2_4_count_15_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_16_choice, slice0cost_pixels_first_2_4_count_16_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_16_choice_3, slice0cost_pixels_first_2_4_count_17_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_17_choice_2, slice0cost_pixels_first_2_4_count_17_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_18_choice, slice0cost_pixels_first_2_4_count_18_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_18_choice_3, slice0cost_pixels_first_2_4_count_19_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_19_choice_2, slice0cost_pixels_first_2_4_count_19_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_20_choice, slice0cost_pixels_first_2_4_count_20_choice_2 : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0cost_pixels_first_2_0_count_18_value_3, slice0cost_pixels_first_2_0_count_19_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_19_value_2, slice0cost_pixels_first_2_0_count_19_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_20_value, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_four_0_0_is_less : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -1710,24 +1177,10 @@ begin
       transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
         ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_2 else
         transform_counter_group_is_equal and in_valid;
-      transform_counter_group_choice_3 := 3 when raster_features_start_of_frame and (transform_counter_group = 14) else
+      transform_counter_group_choice_3 := 3 when transform_counter_next_frame and (transform_counter_group = 14) else
         (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
         transform_counter_group;
-      transform_counter_next_frame_is_equal := (raster_place_group / 2) = 6;
-      transform_counter_next_frame_is_equal_2 := raster_place_column = 31;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
-        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_is_equal_3 := raster_place_group = 11;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal_2 and
-        transform_counter_next_frame_is_equal_3;
-      transform_counter_next_frame_choice_3 := transform_filtered_valid when transform_counter_next_frame_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      transform_counter_next_frame_choice_4 := transform_counter_next_frame_choice_3 when
-        transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal_2 and
-        transform_counter_next_frame_is_equal_3 and transform_filtered_valid and transform_filtered_start_of_frame;
       transform_read_column_inside_0_value := ((transform_counter_column / 8) mod 2) = 1;
       transform_read_column_inside_0_value_2 := ((transform_counter_column / 4) mod 2) = 1;
       transform_read_column_inside_0_any := ((transform_counter_column / 16) = 1) or
@@ -2410,9 +1863,9 @@ begin
       transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_230 else (not
         (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_232 := transform_filtering_column_inside_4 and
+      transform_left_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
         ((transform_left_filter_column_4_6 / 128) = 1) and (not ((transform_left_filter_column_4_3 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_231 else transform_filtering_column_inside_4 and
+        transform_left_filter_feature_0_choice_231 else transform_filtering_0_column_inside_4 and
         (((transform_left_filter_column_4_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1)));
       transform_left_filter_feature_0_choice_233 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_4_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -3178,7 +2631,7 @@ begin
       transform_left_filter_feature_0_choice_496 := (not ((transform_left_filter_column_4_3 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_495 else (not
         ((transform_left_filter_column_4_3 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_497 := (as_number(transform_left_filter_feature_0_choice_448) * 32) +
           (as_number(transform_left_filter_feature_0_choice_456) * 64) +
           (as_number(transform_left_filter_feature_0_choice_464) * 16) +
@@ -3189,7 +2642,7 @@ begin
       else
         transform_left_filter_feature_0_choice_497 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_498 := (as_number(transform_left_filter_feature_0_choice_392) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_400) * 8192) +
           (as_number(transform_left_filter_feature_0_choice_408) * 2048) +
@@ -3200,7 +2653,7 @@ begin
       else
         transform_left_filter_feature_0_choice_498 := transform_left_filter_feature_0_choice_497;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_499 := (as_number(transform_left_filter_feature_0_choice_336) * 524288)
           + (as_number(transform_left_filter_feature_0_choice_344) * 1048576) +
           (as_number(transform_left_filter_feature_0_choice_352) * 262144) +
@@ -3211,7 +2664,7 @@ begin
       else
         transform_left_filter_feature_0_choice_499 := transform_left_filter_feature_0_choice_498;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_500 := (as_number(transform_left_filter_feature_0_choice_280) *
           67108864) + (as_number(transform_left_filter_feature_0_choice_288) * 134217728) +
           (as_number(transform_left_filter_feature_0_choice_296) * 33554432) +
@@ -3223,7 +2676,7 @@ begin
       else
         transform_left_filter_feature_0_choice_500 := transform_left_filter_feature_0_choice_499;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_left_filter_feature_0_choice_501 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_240), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_248), 1) &
@@ -3234,7 +2687,7 @@ begin
       else
         transform_left_filter_feature_0_choice_501 := to_unsigned(transform_left_filter_feature_0_choice_500, 33);
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_left_filter_feature_0_choice_502 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_224), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_216), 1) &
@@ -3250,7 +2703,7 @@ begin
           to_unsigned(as_number(transform_left_filter_feature_0_choice_232), 8) &
           transform_left_filter_feature_0_choice_501(32 downto 0);
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_left_filter_feature_0_choice_503 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_168), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_160), 1) &
@@ -3263,7 +2716,7 @@ begin
       else
         transform_left_filter_feature_0_choice_503 := resize(transform_left_filter_feature_0_choice_502, 48);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_left_filter_feature_0_choice_504 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_104), 1) &
@@ -3949,9 +3402,9 @@ begin
       transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_230 else (not
         (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_232 := transform_filtering_column_inside_4 and
+      transform_right_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
         ((transform_right_filter_column_4_6 / 128) = 1) and (not ((transform_right_filter_column_4_3 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_231 else transform_filtering_column_inside_4 and
+        transform_right_filter_feature_0_choice_231 else transform_filtering_0_column_inside_4 and
         (((transform_right_filter_column_4_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1)));
       transform_right_filter_feature_0_choice_233 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_4_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -4717,7 +4170,7 @@ begin
       transform_right_filter_feature_0_choice_496 := (not ((transform_right_filter_column_4_3 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_495 else (not
         ((transform_right_filter_column_4_3 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_497 := (as_number(transform_right_filter_feature_0_choice_448) * 32) +
           (as_number(transform_right_filter_feature_0_choice_456) * 64) +
           (as_number(transform_right_filter_feature_0_choice_464) * 16) +
@@ -4728,7 +4181,7 @@ begin
       else
         transform_right_filter_feature_0_choice_497 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_498 := (as_number(transform_right_filter_feature_0_choice_392) * 4096)
           + (as_number(transform_right_filter_feature_0_choice_400) * 8192) +
           (as_number(transform_right_filter_feature_0_choice_408) * 2048) +
@@ -4739,7 +4192,7 @@ begin
       else
         transform_right_filter_feature_0_choice_498 := transform_right_filter_feature_0_choice_497;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_499 := (as_number(transform_right_filter_feature_0_choice_336) *
           524288) + (as_number(transform_right_filter_feature_0_choice_344) * 1048576) +
           (as_number(transform_right_filter_feature_0_choice_352) * 262144) +
@@ -4751,7 +4204,7 @@ begin
       else
         transform_right_filter_feature_0_choice_499 := transform_right_filter_feature_0_choice_498;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_500 := (as_number(transform_right_filter_feature_0_choice_280) *
           67108864) + (as_number(transform_right_filter_feature_0_choice_288) * 134217728) +
           (as_number(transform_right_filter_feature_0_choice_296) * 33554432) +
@@ -4763,7 +4216,7 @@ begin
       else
         transform_right_filter_feature_0_choice_500 := transform_right_filter_feature_0_choice_499;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_right_filter_feature_0_choice_501 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_240), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_248), 1) &
@@ -4774,7 +4227,7 @@ begin
       else
         transform_right_filter_feature_0_choice_501 := to_unsigned(transform_right_filter_feature_0_choice_500, 33);
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_right_filter_feature_0_choice_502 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_224), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_216), 1) &
@@ -4790,7 +4243,7 @@ begin
           to_unsigned(as_number(transform_right_filter_feature_0_choice_232), 8) &
           transform_right_filter_feature_0_choice_501(32 downto 0);
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_right_filter_feature_0_choice_503 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_168), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_160), 1) &
@@ -4803,7 +4256,7 @@ begin
       else
         transform_right_filter_feature_0_choice_503 := resize(transform_right_filter_feature_0_choice_502, 48);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_right_filter_feature_0_choice_504 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_104), 1) &
@@ -4821,8 +4274,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_4;
-      transform_counter_next_frame <= transform_counter_next_frame_choice_4 or ((not transform_filtered_valid) and
-        transform_counter_next_frame);
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= to_integer(transform_left_rows_read_words_1);
@@ -4834,13 +4285,13 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 2) + 32765) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65531) mod 65536) < 12;
+      transform_read_row_inside_1 <= transform_counter_group >= 5;
       transform_read_row_inside_2 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_4 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_5 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_5 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_6 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= transform_read_column_inside_0_any;
@@ -4919,7 +4370,7 @@ begin
         to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
-        transform_left_filter_feature_0_choice_504(54 downto 0) when transform_filtering_column_inside_8 else
+        transform_left_filter_feature_0_choice_504(54 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_left_filter_feature_0_choice_504, 62);
       transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_56), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_48), 1) &
@@ -4928,24 +4379,30 @@ begin
         to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
-        transform_right_filter_feature_0_choice_504(54 downto 0) when transform_filtering_column_inside_8 else
+        transform_right_filter_feature_0_choice_504(54 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_right_filter_feature_0_choice_504, 62);
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
-      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_column_inside_7 <= transform_columns_column_inside_7;
-      transform_filtering_column_inside_8 <= transform_columns_column_inside_8;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_0_column_inside_7 <= transform_columns_column_inside_7;
+      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
+        when transform_counter_group_is_equal else transform_counter_next_frame;
+      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
+        transform_counter_group_is_equal_2 else transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 32;
+        transform_counter_next_frame <= transform_counter_group_all when in_start_of_frame else
+          transform_counter_next_frame_choice_2;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned((transform_left_rows_ready_words_1 mod 256), 8) &
@@ -5087,29 +4544,36 @@ begin
         transform_right_filter_column_8_6 <= transform_right_filter_column_7_6;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := transform_counter_next_frame_is_equal_2 and transform_filtered_valid and (not
-        ((raster_place_group mod 2) = 1)) when transform_counter_next_frame_is_equal else
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 12) else
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_is_equal_2 := raster_place_group = 11;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_1_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        transform_counter_group_is_equal_2 else raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_all when in_start_of_frame else
-          raster_features_start_of_frame_choice_2;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 32;
       end if;
       -- delay
@@ -5117,16 +4581,17 @@ begin
         delay_ring_read_address <= 0 when delay_ring_read_address = 4 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0;
-      delay_tag_output_column <= delay_row_inside_1_is_less and ((((((raster_place_column / 4) + 16383) mod 16384) * 4)
-        + (raster_place_column mod 4)) < 27);
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        ((((((raster_place_column / 4) + 16383) mod 16384) * 4) + (raster_place_column mod 4)) < 27);
       delay_tag_start_of_frame <= (raster_place_column = 4) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -5202,3089 +4667,1514 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := to_integer(slice0shift_reference_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_search_0_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := to_integer(slice0shift_search_0_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
       slice0cost_pixels_first_0_0_count_1_value := to_integer(slice0shift_reference_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_search_0_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := to_integer(slice0shift_search_0_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := to_integer(slice0shift_search_0_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
       slice0cost_pixels_first_0_0_count_2_value := to_integer(slice0shift_reference_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_search_0_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := to_integer(slice0shift_search_0_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
       slice0cost_pixels_first_0_0_count_3_value := to_integer(slice0shift_reference_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_search_0_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := to_integer(slice0shift_search_0_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := to_integer(slice0shift_search_0_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
       slice0cost_pixels_first_0_0_count_4_value := to_integer(slice0shift_reference_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_search_0_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := to_integer(slice0shift_search_0_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := to_integer(slice0shift_search_0_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
       slice0cost_pixels_first_0_0_count_5_value := to_integer(slice0shift_reference_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_search_0_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := to_integer(slice0shift_search_0_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := to_integer(slice0shift_search_0_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
       slice0cost_pixels_first_0_0_count_6_value := to_integer(slice0shift_reference_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_search_0_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := to_integer(slice0shift_search_0_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := to_integer(slice0shift_search_0_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
       slice0cost_pixels_first_0_0_count_7_value := to_integer(slice0shift_reference_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_search_0_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := to_integer(slice0shift_search_0_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_0_count_7_value_5 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_6 := to_integer(slice0shift_search_0_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_6 when
-        slice0cost_pixels_first_0_0_count_7_value_5 else slice0cost_pixels_first_0_0_count_7_value_6;
+      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
       slice0cost_pixels_first_0_0_count_8_value := to_integer(slice0shift_reference_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_search_0_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value_2 when
-        slice0cost_pixels_first_0_0_count_8_value else slice0cost_pixels_first_0_0_count_8_value_2;
-      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_4 := to_integer(slice0shift_search_0_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_4 when
-        slice0cost_pixels_first_0_0_count_8_value_3 else slice0cost_pixels_first_0_0_count_8_value_4;
-      slice0cost_pixels_first_0_0_count_8_value_5 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_6 := to_integer(slice0shift_search_0_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_6 when
-        slice0cost_pixels_first_0_0_count_8_value_5 else slice0cost_pixels_first_0_0_count_8_value_6;
+      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
       slice0cost_pixels_first_0_0_count_9_value := to_integer(slice0shift_reference_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_search_0_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value_2 when
-        slice0cost_pixels_first_0_0_count_9_value else slice0cost_pixels_first_0_0_count_9_value_2;
-      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_4 := to_integer(slice0shift_search_0_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_4 when
-        slice0cost_pixels_first_0_0_count_9_value_3 else slice0cost_pixels_first_0_0_count_9_value_4;
-      slice0cost_pixels_first_0_0_count_9_value_5 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_6 := to_integer(slice0shift_search_0_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_6 when
-        slice0cost_pixels_first_0_0_count_9_value_5 else slice0cost_pixels_first_0_0_count_9_value_6;
+      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
       slice0cost_pixels_first_0_0_count_10_value := to_integer(slice0shift_reference_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_search_0_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value_2 when
-        slice0cost_pixels_first_0_0_count_10_value else slice0cost_pixels_first_0_0_count_10_value_2;
-      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_4 := to_integer(slice0shift_search_0_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_4 when
-        slice0cost_pixels_first_0_0_count_10_value_3 else slice0cost_pixels_first_0_0_count_10_value_4;
-      slice0cost_pixels_first_0_0_count_10_value_5 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_6 := to_integer(slice0shift_search_0_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_6 when
-        slice0cost_pixels_first_0_0_count_10_value_5 else slice0cost_pixels_first_0_0_count_10_value_6;
+      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
       slice0cost_pixels_first_0_0_count_11_value := to_integer(slice0shift_reference_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_search_0_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value_2 when
-        slice0cost_pixels_first_0_0_count_11_value else slice0cost_pixels_first_0_0_count_11_value_2;
-      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_4 := to_integer(slice0shift_search_0_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_4 when
-        slice0cost_pixels_first_0_0_count_11_value_3 else slice0cost_pixels_first_0_0_count_11_value_4;
-      slice0cost_pixels_first_0_0_count_11_value_5 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_6 := to_integer(slice0shift_search_0_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_6 when
-        slice0cost_pixels_first_0_0_count_11_value_5 else slice0cost_pixels_first_0_0_count_11_value_6;
+      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
       slice0cost_pixels_first_0_0_count_12_value := to_integer(slice0shift_reference_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_search_0_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value_2 when
-        slice0cost_pixels_first_0_0_count_12_value else slice0cost_pixels_first_0_0_count_12_value_2;
-      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_4 := to_integer(slice0shift_search_0_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_4 when
-        slice0cost_pixels_first_0_0_count_12_value_3 else slice0cost_pixels_first_0_0_count_12_value_4;
-      slice0cost_pixels_first_0_0_count_12_value_5 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_6 := to_integer(slice0shift_search_0_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_6 when
-        slice0cost_pixels_first_0_0_count_12_value_5 else slice0cost_pixels_first_0_0_count_12_value_6;
+      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
       slice0cost_pixels_first_0_0_count_13_value := to_integer(slice0shift_reference_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_search_0_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value_2 when
-        slice0cost_pixels_first_0_0_count_13_value else slice0cost_pixels_first_0_0_count_13_value_2;
-      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_4 := to_integer(slice0shift_search_0_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_4 when
-        slice0cost_pixels_first_0_0_count_13_value_3 else slice0cost_pixels_first_0_0_count_13_value_4;
-      slice0cost_pixels_first_0_0_count_13_value_5 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_6 := to_integer(slice0shift_search_0_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_6 when
-        slice0cost_pixels_first_0_0_count_13_value_5 else slice0cost_pixels_first_0_0_count_13_value_6;
+      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
       slice0cost_pixels_first_0_0_count_14_value := to_integer(slice0shift_reference_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_value_2 := to_integer(slice0shift_search_0_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_choice := not slice0cost_pixels_first_0_0_count_14_value_2 when
-        slice0cost_pixels_first_0_0_count_14_value else slice0cost_pixels_first_0_0_count_14_value_2;
-      slice0cost_pixels_first_0_0_count_14_value_3 := to_integer(slice0shift_reference_0(44 downto 44)) = 1;
-      slice0cost_pixels_first_0_0_count_14_value_4 := to_integer(slice0shift_search_0_0(44 downto 44)) = 1;
-      slice0cost_pixels_first_0_0_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_4 when
-        slice0cost_pixels_first_0_0_count_14_value_3 else slice0cost_pixels_first_0_0_count_14_value_4;
-      slice0cost_pixels_first_0_0_count_14_value_5 := to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_0_count_14_value_6 := to_integer(slice0shift_search_0_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_0_count_14_choice_3 := not slice0cost_pixels_first_0_0_count_14_value_6 when
-        slice0cost_pixels_first_0_0_count_14_value_5 else slice0cost_pixels_first_0_0_count_14_value_6;
+      slice0cost_pixels_first_0_0_count_14_value_2 := to_integer(slice0shift_reference_0(44 downto 44)) = 1;
+      slice0cost_pixels_first_0_0_count_14_value_3 := to_integer(slice0shift_reference_0(43 downto 43)) = 1;
       slice0cost_pixels_first_0_0_count_15_value := to_integer(slice0shift_reference_0(45 downto 45)) = 1;
-      slice0cost_pixels_first_0_0_count_15_value_2 := to_integer(slice0shift_search_0_0(45 downto 45)) = 1;
-      slice0cost_pixels_first_0_0_count_15_choice := not slice0cost_pixels_first_0_0_count_15_value_2 when
-        slice0cost_pixels_first_0_0_count_15_value else slice0cost_pixels_first_0_0_count_15_value_2;
-      slice0cost_pixels_first_0_0_count_15_value_3 := to_integer(slice0shift_reference_0(47 downto 47)) = 1;
-      slice0cost_pixels_first_0_0_count_15_value_4 := to_integer(slice0shift_search_0_0(47 downto 47)) = 1;
-      slice0cost_pixels_first_0_0_count_15_choice_2 := not slice0cost_pixels_first_0_0_count_15_value_4 when
-        slice0cost_pixels_first_0_0_count_15_value_3 else slice0cost_pixels_first_0_0_count_15_value_4;
-      slice0cost_pixels_first_0_0_count_15_value_5 := to_integer(slice0shift_reference_0(46 downto 46)) = 1;
-      slice0cost_pixels_first_0_0_count_15_value_6 := to_integer(slice0shift_search_0_0(46 downto 46)) = 1;
-      slice0cost_pixels_first_0_0_count_15_choice_3 := not slice0cost_pixels_first_0_0_count_15_value_6 when
-        slice0cost_pixels_first_0_0_count_15_value_5 else slice0cost_pixels_first_0_0_count_15_value_6;
+      slice0cost_pixels_first_0_0_count_15_value_2 := to_integer(slice0shift_reference_0(47 downto 47)) = 1;
+      slice0cost_pixels_first_0_0_count_15_value_3 := to_integer(slice0shift_reference_0(46 downto 46)) = 1;
       slice0cost_pixels_first_0_0_count_16_value := to_integer(slice0shift_reference_0(48 downto 48)) = 1;
-      slice0cost_pixels_first_0_0_count_16_value_2 := to_integer(slice0shift_search_0_0(48 downto 48)) = 1;
-      slice0cost_pixels_first_0_0_count_16_choice := not slice0cost_pixels_first_0_0_count_16_value_2 when
-        slice0cost_pixels_first_0_0_count_16_value else slice0cost_pixels_first_0_0_count_16_value_2;
-      slice0cost_pixels_first_0_0_count_16_value_3 := to_integer(slice0shift_reference_0(50 downto 50)) = 1;
-      slice0cost_pixels_first_0_0_count_16_value_4 := to_integer(slice0shift_search_0_0(50 downto 50)) = 1;
-      slice0cost_pixels_first_0_0_count_16_choice_2 := not slice0cost_pixels_first_0_0_count_16_value_4 when
-        slice0cost_pixels_first_0_0_count_16_value_3 else slice0cost_pixels_first_0_0_count_16_value_4;
-      slice0cost_pixels_first_0_0_count_16_value_5 := to_integer(slice0shift_reference_0(49 downto 49)) = 1;
-      slice0cost_pixels_first_0_0_count_16_value_6 := to_integer(slice0shift_search_0_0(49 downto 49)) = 1;
-      slice0cost_pixels_first_0_0_count_16_choice_3 := not slice0cost_pixels_first_0_0_count_16_value_6 when
-        slice0cost_pixels_first_0_0_count_16_value_5 else slice0cost_pixels_first_0_0_count_16_value_6;
+      slice0cost_pixels_first_0_0_count_16_value_2 := to_integer(slice0shift_reference_0(50 downto 50)) = 1;
+      slice0cost_pixels_first_0_0_count_16_value_3 := to_integer(slice0shift_reference_0(49 downto 49)) = 1;
       slice0cost_pixels_first_0_0_count_17_value := to_integer(slice0shift_reference_0(51 downto 51)) = 1;
-      slice0cost_pixels_first_0_0_count_17_value_2 := to_integer(slice0shift_search_0_0(51 downto 51)) = 1;
-      slice0cost_pixels_first_0_0_count_17_choice := not slice0cost_pixels_first_0_0_count_17_value_2 when
-        slice0cost_pixels_first_0_0_count_17_value else slice0cost_pixels_first_0_0_count_17_value_2;
-      slice0cost_pixels_first_0_0_count_17_value_3 := to_integer(slice0shift_reference_0(53 downto 53)) = 1;
-      slice0cost_pixels_first_0_0_count_17_value_4 := to_integer(slice0shift_search_0_0(53 downto 53)) = 1;
-      slice0cost_pixels_first_0_0_count_17_choice_2 := not slice0cost_pixels_first_0_0_count_17_value_4 when
-        slice0cost_pixels_first_0_0_count_17_value_3 else slice0cost_pixels_first_0_0_count_17_value_4;
-      slice0cost_pixels_first_0_0_count_17_value_5 := to_integer(slice0shift_reference_0(52 downto 52)) = 1;
-      slice0cost_pixels_first_0_0_count_17_value_6 := to_integer(slice0shift_search_0_0(52 downto 52)) = 1;
-      slice0cost_pixels_first_0_0_count_17_choice_3 := not slice0cost_pixels_first_0_0_count_17_value_6 when
-        slice0cost_pixels_first_0_0_count_17_value_5 else slice0cost_pixels_first_0_0_count_17_value_6;
+      slice0cost_pixels_first_0_0_count_17_value_2 := to_integer(slice0shift_reference_0(53 downto 53)) = 1;
+      slice0cost_pixels_first_0_0_count_17_value_3 := to_integer(slice0shift_reference_0(52 downto 52)) = 1;
       slice0cost_pixels_first_0_0_count_18_value := to_integer(slice0shift_reference_0(54 downto 54)) = 1;
-      slice0cost_pixels_first_0_0_count_18_value_2 := to_integer(slice0shift_search_0_0(54 downto 54)) = 1;
-      slice0cost_pixels_first_0_0_count_18_choice := not slice0cost_pixels_first_0_0_count_18_value_2 when
-        slice0cost_pixels_first_0_0_count_18_value else slice0cost_pixels_first_0_0_count_18_value_2;
-      slice0cost_pixels_first_0_0_count_18_value_3 := to_integer(slice0shift_reference_0(56 downto 56)) = 1;
-      slice0cost_pixels_first_0_0_count_18_value_4 := to_integer(slice0shift_search_0_0(56 downto 56)) = 1;
-      slice0cost_pixels_first_0_0_count_18_choice_2 := not slice0cost_pixels_first_0_0_count_18_value_4 when
-        slice0cost_pixels_first_0_0_count_18_value_3 else slice0cost_pixels_first_0_0_count_18_value_4;
-      slice0cost_pixels_first_0_0_count_18_value_5 := to_integer(slice0shift_reference_0(55 downto 55)) = 1;
-      slice0cost_pixels_first_0_0_count_18_value_6 := to_integer(slice0shift_search_0_0(55 downto 55)) = 1;
-      slice0cost_pixels_first_0_0_count_18_choice_3 := not slice0cost_pixels_first_0_0_count_18_value_6 when
-        slice0cost_pixels_first_0_0_count_18_value_5 else slice0cost_pixels_first_0_0_count_18_value_6;
+      slice0cost_pixels_first_0_0_count_18_value_2 := to_integer(slice0shift_reference_0(56 downto 56)) = 1;
+      slice0cost_pixels_first_0_0_count_18_value_3 := to_integer(slice0shift_reference_0(55 downto 55)) = 1;
       slice0cost_pixels_first_0_0_count_19_value := to_integer(slice0shift_reference_0(57 downto 57)) = 1;
-      slice0cost_pixels_first_0_0_count_19_value_2 := to_integer(slice0shift_search_0_0(57 downto 57)) = 1;
-      slice0cost_pixels_first_0_0_count_19_choice := not slice0cost_pixels_first_0_0_count_19_value_2 when
-        slice0cost_pixels_first_0_0_count_19_value else slice0cost_pixels_first_0_0_count_19_value_2;
-      slice0cost_pixels_first_0_0_count_19_value_3 := to_integer(slice0shift_reference_0(59 downto 59)) = 1;
-      slice0cost_pixels_first_0_0_count_19_value_4 := to_integer(slice0shift_search_0_0(59 downto 59)) = 1;
-      slice0cost_pixels_first_0_0_count_19_choice_2 := not slice0cost_pixels_first_0_0_count_19_value_4 when
-        slice0cost_pixels_first_0_0_count_19_value_3 else slice0cost_pixels_first_0_0_count_19_value_4;
-      slice0cost_pixels_first_0_0_count_19_value_5 := to_integer(slice0shift_reference_0(58 downto 58)) = 1;
-      slice0cost_pixels_first_0_0_count_19_value_6 := to_integer(slice0shift_search_0_0(58 downto 58)) = 1;
-      slice0cost_pixels_first_0_0_count_19_choice_3 := not slice0cost_pixels_first_0_0_count_19_value_6 when
-        slice0cost_pixels_first_0_0_count_19_value_5 else slice0cost_pixels_first_0_0_count_19_value_6;
-      slice0cost_pixels_first_0_0_count_20_choice := not (to_integer(slice0shift_search_0_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_reference_0(61 downto 61)) = 1 else to_integer(slice0shift_search_0_0(61 downto 61)) = 1;
+      slice0cost_pixels_first_0_0_count_19_value_2 := to_integer(slice0shift_reference_0(59 downto 59)) = 1;
+      slice0cost_pixels_first_0_0_count_19_value_3 := to_integer(slice0shift_reference_0(58 downto 58)) = 1;
       slice0cost_pixels_first_0_0_count_20_value := to_integer(slice0shift_reference_0(60 downto 60)) = 1;
-      slice0cost_pixels_first_0_0_count_20_value_2 := to_integer(slice0shift_search_0_0(60 downto 60)) = 1;
-      slice0cost_pixels_first_0_0_count_20_choice_2 := not slice0cost_pixels_first_0_0_count_20_value_2 when
-        slice0cost_pixels_first_0_0_count_20_value else slice0cost_pixels_first_0_0_count_20_value_2;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_1(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_1(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_1(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_1(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_1(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_1(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_1(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_1(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_1(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_1(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_1(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_1(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_1(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_1(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_1(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_1(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_1(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_1(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_1(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_1(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_1(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_1(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_1_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_1(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_1_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_1(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_1_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_1(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_1_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_1(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_1_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_1(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_1_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_1(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_1_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_1(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_1_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_1(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_1_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_1(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_1_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_1(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_1_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_1(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_1_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_1(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_1_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_1(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_1_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_1(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_1_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_1(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_1_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_1(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_1_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_1(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_1_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_1(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_1_count_14_choice := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_1(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_1_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_3 when
-        to_integer(slice0shift_search_0_1(44 downto 44)) = 1 else slice0cost_pixels_first_0_0_count_14_value_3;
-      slice0cost_pixels_first_0_1_count_14_choice_3 := not slice0cost_pixels_first_0_0_count_14_value_5 when
-        to_integer(slice0shift_search_0_1(43 downto 43)) = 1 else slice0cost_pixels_first_0_0_count_14_value_5;
-      slice0cost_pixels_first_0_1_count_15_choice := not slice0cost_pixels_first_0_0_count_15_value when
-        to_integer(slice0shift_search_0_1(45 downto 45)) = 1 else slice0cost_pixels_first_0_0_count_15_value;
-      slice0cost_pixels_first_0_1_count_15_choice_2 := not slice0cost_pixels_first_0_0_count_15_value_3 when
-        to_integer(slice0shift_search_0_1(47 downto 47)) = 1 else slice0cost_pixels_first_0_0_count_15_value_3;
-      slice0cost_pixels_first_0_1_count_15_choice_3 := not slice0cost_pixels_first_0_0_count_15_value_5 when
-        to_integer(slice0shift_search_0_1(46 downto 46)) = 1 else slice0cost_pixels_first_0_0_count_15_value_5;
-      slice0cost_pixels_first_0_1_count_16_choice := not slice0cost_pixels_first_0_0_count_16_value when
-        to_integer(slice0shift_search_0_1(48 downto 48)) = 1 else slice0cost_pixels_first_0_0_count_16_value;
-      slice0cost_pixels_first_0_1_count_16_choice_2 := not slice0cost_pixels_first_0_0_count_16_value_3 when
-        to_integer(slice0shift_search_0_1(50 downto 50)) = 1 else slice0cost_pixels_first_0_0_count_16_value_3;
-      slice0cost_pixels_first_0_1_count_16_choice_3 := not slice0cost_pixels_first_0_0_count_16_value_5 when
-        to_integer(slice0shift_search_0_1(49 downto 49)) = 1 else slice0cost_pixels_first_0_0_count_16_value_5;
-      slice0cost_pixels_first_0_1_count_17_choice := not slice0cost_pixels_first_0_0_count_17_value when
-        to_integer(slice0shift_search_0_1(51 downto 51)) = 1 else slice0cost_pixels_first_0_0_count_17_value;
-      slice0cost_pixels_first_0_1_count_17_choice_2 := not slice0cost_pixels_first_0_0_count_17_value_3 when
-        to_integer(slice0shift_search_0_1(53 downto 53)) = 1 else slice0cost_pixels_first_0_0_count_17_value_3;
-      slice0cost_pixels_first_0_1_count_17_choice_3 := not slice0cost_pixels_first_0_0_count_17_value_5 when
-        to_integer(slice0shift_search_0_1(52 downto 52)) = 1 else slice0cost_pixels_first_0_0_count_17_value_5;
-      slice0cost_pixels_first_0_1_count_18_choice := not slice0cost_pixels_first_0_0_count_18_value when
-        to_integer(slice0shift_search_0_1(54 downto 54)) = 1 else slice0cost_pixels_first_0_0_count_18_value;
-      slice0cost_pixels_first_0_1_count_18_choice_2 := not slice0cost_pixels_first_0_0_count_18_value_3 when
-        to_integer(slice0shift_search_0_1(56 downto 56)) = 1 else slice0cost_pixels_first_0_0_count_18_value_3;
-      slice0cost_pixels_first_0_1_count_18_choice_3 := not slice0cost_pixels_first_0_0_count_18_value_5 when
-        to_integer(slice0shift_search_0_1(55 downto 55)) = 1 else slice0cost_pixels_first_0_0_count_18_value_5;
-      slice0cost_pixels_first_0_1_count_19_choice := not slice0cost_pixels_first_0_0_count_19_value when
-        to_integer(slice0shift_search_0_1(57 downto 57)) = 1 else slice0cost_pixels_first_0_0_count_19_value;
-      slice0cost_pixels_first_0_1_count_19_choice_2 := not slice0cost_pixels_first_0_0_count_19_value_3 when
-        to_integer(slice0shift_search_0_1(59 downto 59)) = 1 else slice0cost_pixels_first_0_0_count_19_value_3;
-      slice0cost_pixels_first_0_1_count_19_choice_3 := not slice0cost_pixels_first_0_0_count_19_value_5 when
-        to_integer(slice0shift_search_0_1(58 downto 58)) = 1 else slice0cost_pixels_first_0_0_count_19_value_5;
-      slice0cost_pixels_first_0_1_count_20_choice := not (to_integer(slice0shift_reference_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_0_1(61 downto 61)) = 1 else to_integer(slice0shift_reference_0(61 downto 61)) = 1;
-      slice0cost_pixels_first_0_1_count_20_choice_2 := not slice0cost_pixels_first_0_0_count_20_value when
-        to_integer(slice0shift_search_0_1(60 downto 60)) = 1 else slice0cost_pixels_first_0_0_count_20_value;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_2(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_2(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_2(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_2(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_2(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_2(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_2(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_2(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_2(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_2(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_2(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_2(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_2(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_2(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_2(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_2(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_2(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_2(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_2(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_2(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_2(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_2(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_2_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_2(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_2_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_2(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_2_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_2(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_2_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_2(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_2_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_2(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_2_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_2(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_2_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_2(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_2_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_2(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_2_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_2(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_2_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_2(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_2_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_2(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_2_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_2(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_2_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_2(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_2_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_2(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_2_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_2(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_2_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_2(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_2_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_2(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_2_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_2(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_2_count_14_choice := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_2(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_2_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_3 when
-        to_integer(slice0shift_search_0_2(44 downto 44)) = 1 else slice0cost_pixels_first_0_0_count_14_value_3;
-      slice0cost_pixels_first_0_2_count_14_choice_3 := not slice0cost_pixels_first_0_0_count_14_value_5 when
-        to_integer(slice0shift_search_0_2(43 downto 43)) = 1 else slice0cost_pixels_first_0_0_count_14_value_5;
-      slice0cost_pixels_first_0_2_count_15_choice := not slice0cost_pixels_first_0_0_count_15_value when
-        to_integer(slice0shift_search_0_2(45 downto 45)) = 1 else slice0cost_pixels_first_0_0_count_15_value;
-      slice0cost_pixels_first_0_2_count_15_choice_2 := not slice0cost_pixels_first_0_0_count_15_value_3 when
-        to_integer(slice0shift_search_0_2(47 downto 47)) = 1 else slice0cost_pixels_first_0_0_count_15_value_3;
-      slice0cost_pixels_first_0_2_count_15_choice_3 := not slice0cost_pixels_first_0_0_count_15_value_5 when
-        to_integer(slice0shift_search_0_2(46 downto 46)) = 1 else slice0cost_pixels_first_0_0_count_15_value_5;
-      slice0cost_pixels_first_0_2_count_16_choice := not slice0cost_pixels_first_0_0_count_16_value when
-        to_integer(slice0shift_search_0_2(48 downto 48)) = 1 else slice0cost_pixels_first_0_0_count_16_value;
-      slice0cost_pixels_first_0_2_count_16_choice_2 := not slice0cost_pixels_first_0_0_count_16_value_3 when
-        to_integer(slice0shift_search_0_2(50 downto 50)) = 1 else slice0cost_pixels_first_0_0_count_16_value_3;
-      slice0cost_pixels_first_0_2_count_16_choice_3 := not slice0cost_pixels_first_0_0_count_16_value_5 when
-        to_integer(slice0shift_search_0_2(49 downto 49)) = 1 else slice0cost_pixels_first_0_0_count_16_value_5;
-      slice0cost_pixels_first_0_2_count_17_choice := not slice0cost_pixels_first_0_0_count_17_value when
-        to_integer(slice0shift_search_0_2(51 downto 51)) = 1 else slice0cost_pixels_first_0_0_count_17_value;
-      slice0cost_pixels_first_0_2_count_17_choice_2 := not slice0cost_pixels_first_0_0_count_17_value_3 when
-        to_integer(slice0shift_search_0_2(53 downto 53)) = 1 else slice0cost_pixels_first_0_0_count_17_value_3;
-      slice0cost_pixels_first_0_2_count_17_choice_3 := not slice0cost_pixels_first_0_0_count_17_value_5 when
-        to_integer(slice0shift_search_0_2(52 downto 52)) = 1 else slice0cost_pixels_first_0_0_count_17_value_5;
-      slice0cost_pixels_first_0_2_count_18_choice := not slice0cost_pixels_first_0_0_count_18_value when
-        to_integer(slice0shift_search_0_2(54 downto 54)) = 1 else slice0cost_pixels_first_0_0_count_18_value;
-      slice0cost_pixels_first_0_2_count_18_choice_2 := not slice0cost_pixels_first_0_0_count_18_value_3 when
-        to_integer(slice0shift_search_0_2(56 downto 56)) = 1 else slice0cost_pixels_first_0_0_count_18_value_3;
-      slice0cost_pixels_first_0_2_count_18_choice_3 := not slice0cost_pixels_first_0_0_count_18_value_5 when
-        to_integer(slice0shift_search_0_2(55 downto 55)) = 1 else slice0cost_pixels_first_0_0_count_18_value_5;
-      slice0cost_pixels_first_0_2_count_19_choice := not slice0cost_pixels_first_0_0_count_19_value when
-        to_integer(slice0shift_search_0_2(57 downto 57)) = 1 else slice0cost_pixels_first_0_0_count_19_value;
-      slice0cost_pixels_first_0_2_count_19_choice_2 := not slice0cost_pixels_first_0_0_count_19_value_3 when
-        to_integer(slice0shift_search_0_2(59 downto 59)) = 1 else slice0cost_pixels_first_0_0_count_19_value_3;
-      slice0cost_pixels_first_0_2_count_19_choice_3 := not slice0cost_pixels_first_0_0_count_19_value_5 when
-        to_integer(slice0shift_search_0_2(58 downto 58)) = 1 else slice0cost_pixels_first_0_0_count_19_value_5;
-      slice0cost_pixels_first_0_2_count_20_choice := not (to_integer(slice0shift_reference_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_0_2(61 downto 61)) = 1 else to_integer(slice0shift_reference_0(61 downto 61)) = 1;
-      slice0cost_pixels_first_0_2_count_20_choice_2 := not slice0cost_pixels_first_0_0_count_20_value when
-        to_integer(slice0shift_search_0_2(60 downto 60)) = 1 else slice0cost_pixels_first_0_0_count_20_value;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_3(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_3(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_3(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_3(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_3(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_3(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_3(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_3(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_3(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_3(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_3(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_3(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_3(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_3(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_3(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_3(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_3(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_3(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_3(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_3(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_3(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_3(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_3_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_3(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_3_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_3(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_3_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_3(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_3_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_3(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_3_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_3(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_3_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_3(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_3_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_3(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_3_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_3(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_3_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_3(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_3_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_3(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_3_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_3(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_3_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_3(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_3_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_3(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_3_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_3(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_3_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_3(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_3_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_3(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_3_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_3(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_3_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_3(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_3_count_14_choice := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_3(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_3_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_3 when
-        to_integer(slice0shift_search_0_3(44 downto 44)) = 1 else slice0cost_pixels_first_0_0_count_14_value_3;
-      slice0cost_pixels_first_0_3_count_14_choice_3 := not slice0cost_pixels_first_0_0_count_14_value_5 when
-        to_integer(slice0shift_search_0_3(43 downto 43)) = 1 else slice0cost_pixels_first_0_0_count_14_value_5;
-      slice0cost_pixels_first_0_3_count_15_choice := not slice0cost_pixels_first_0_0_count_15_value when
-        to_integer(slice0shift_search_0_3(45 downto 45)) = 1 else slice0cost_pixels_first_0_0_count_15_value;
-      slice0cost_pixels_first_0_3_count_15_choice_2 := not slice0cost_pixels_first_0_0_count_15_value_3 when
-        to_integer(slice0shift_search_0_3(47 downto 47)) = 1 else slice0cost_pixels_first_0_0_count_15_value_3;
-      slice0cost_pixels_first_0_3_count_15_choice_3 := not slice0cost_pixels_first_0_0_count_15_value_5 when
-        to_integer(slice0shift_search_0_3(46 downto 46)) = 1 else slice0cost_pixels_first_0_0_count_15_value_5;
-      slice0cost_pixels_first_0_3_count_16_choice := not slice0cost_pixels_first_0_0_count_16_value when
-        to_integer(slice0shift_search_0_3(48 downto 48)) = 1 else slice0cost_pixels_first_0_0_count_16_value;
-      slice0cost_pixels_first_0_3_count_16_choice_2 := not slice0cost_pixels_first_0_0_count_16_value_3 when
-        to_integer(slice0shift_search_0_3(50 downto 50)) = 1 else slice0cost_pixels_first_0_0_count_16_value_3;
-      slice0cost_pixels_first_0_3_count_16_choice_3 := not slice0cost_pixels_first_0_0_count_16_value_5 when
-        to_integer(slice0shift_search_0_3(49 downto 49)) = 1 else slice0cost_pixels_first_0_0_count_16_value_5;
-      slice0cost_pixels_first_0_3_count_17_choice := not slice0cost_pixels_first_0_0_count_17_value when
-        to_integer(slice0shift_search_0_3(51 downto 51)) = 1 else slice0cost_pixels_first_0_0_count_17_value;
-      slice0cost_pixels_first_0_3_count_17_choice_2 := not slice0cost_pixels_first_0_0_count_17_value_3 when
-        to_integer(slice0shift_search_0_3(53 downto 53)) = 1 else slice0cost_pixels_first_0_0_count_17_value_3;
-      slice0cost_pixels_first_0_3_count_17_choice_3 := not slice0cost_pixels_first_0_0_count_17_value_5 when
-        to_integer(slice0shift_search_0_3(52 downto 52)) = 1 else slice0cost_pixels_first_0_0_count_17_value_5;
-      slice0cost_pixels_first_0_3_count_18_choice := not slice0cost_pixels_first_0_0_count_18_value when
-        to_integer(slice0shift_search_0_3(54 downto 54)) = 1 else slice0cost_pixels_first_0_0_count_18_value;
-      slice0cost_pixels_first_0_3_count_18_choice_2 := not slice0cost_pixels_first_0_0_count_18_value_3 when
-        to_integer(slice0shift_search_0_3(56 downto 56)) = 1 else slice0cost_pixels_first_0_0_count_18_value_3;
-      slice0cost_pixels_first_0_3_count_18_choice_3 := not slice0cost_pixels_first_0_0_count_18_value_5 when
-        to_integer(slice0shift_search_0_3(55 downto 55)) = 1 else slice0cost_pixels_first_0_0_count_18_value_5;
-      slice0cost_pixels_first_0_3_count_19_choice := not slice0cost_pixels_first_0_0_count_19_value when
-        to_integer(slice0shift_search_0_3(57 downto 57)) = 1 else slice0cost_pixels_first_0_0_count_19_value;
-      slice0cost_pixels_first_0_3_count_19_choice_2 := not slice0cost_pixels_first_0_0_count_19_value_3 when
-        to_integer(slice0shift_search_0_3(59 downto 59)) = 1 else slice0cost_pixels_first_0_0_count_19_value_3;
-      slice0cost_pixels_first_0_3_count_19_choice_3 := not slice0cost_pixels_first_0_0_count_19_value_5 when
-        to_integer(slice0shift_search_0_3(58 downto 58)) = 1 else slice0cost_pixels_first_0_0_count_19_value_5;
-      slice0cost_pixels_first_0_3_count_20_choice := not (to_integer(slice0shift_reference_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_0_3(61 downto 61)) = 1 else to_integer(slice0shift_reference_0(61 downto 61)) = 1;
-      slice0cost_pixels_first_0_3_count_20_choice_2 := not slice0cost_pixels_first_0_0_count_20_value when
-        to_integer(slice0shift_search_0_3(60 downto 60)) = 1 else slice0cost_pixels_first_0_0_count_20_value;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_4(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_4(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_4(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_4(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_4(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_4(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_4(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_4(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_4(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_4(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_4(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_4(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_4(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_4(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_4(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_4(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_4(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_4(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_4(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_4(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_4(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_4(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_4_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_4(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_4_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_4(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_4_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_4(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_4_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_4(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_4_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_4(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_4_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_4(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_4_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_4(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_4_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_4(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_4_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_4(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_4_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_4(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_4_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_4(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_4_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_4(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_4_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_4(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_4_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_4(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_4_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_4(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_4_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_4(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_4_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_4(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_4_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_4(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_4_count_14_choice := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_4(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_4_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_3 when
-        to_integer(slice0shift_search_0_4(44 downto 44)) = 1 else slice0cost_pixels_first_0_0_count_14_value_3;
-      slice0cost_pixels_first_0_4_count_14_choice_3 := not slice0cost_pixels_first_0_0_count_14_value_5 when
-        to_integer(slice0shift_search_0_4(43 downto 43)) = 1 else slice0cost_pixels_first_0_0_count_14_value_5;
-      slice0cost_pixels_first_0_4_count_15_choice := not slice0cost_pixels_first_0_0_count_15_value when
-        to_integer(slice0shift_search_0_4(45 downto 45)) = 1 else slice0cost_pixels_first_0_0_count_15_value;
-      slice0cost_pixels_first_0_4_count_15_choice_2 := not slice0cost_pixels_first_0_0_count_15_value_3 when
-        to_integer(slice0shift_search_0_4(47 downto 47)) = 1 else slice0cost_pixels_first_0_0_count_15_value_3;
-      slice0cost_pixels_first_0_4_count_15_choice_3 := not slice0cost_pixels_first_0_0_count_15_value_5 when
-        to_integer(slice0shift_search_0_4(46 downto 46)) = 1 else slice0cost_pixels_first_0_0_count_15_value_5;
-      slice0cost_pixels_first_0_4_count_16_choice := not slice0cost_pixels_first_0_0_count_16_value when
-        to_integer(slice0shift_search_0_4(48 downto 48)) = 1 else slice0cost_pixels_first_0_0_count_16_value;
-      slice0cost_pixels_first_0_4_count_16_choice_2 := not slice0cost_pixels_first_0_0_count_16_value_3 when
-        to_integer(slice0shift_search_0_4(50 downto 50)) = 1 else slice0cost_pixels_first_0_0_count_16_value_3;
-      slice0cost_pixels_first_0_4_count_16_choice_3 := not slice0cost_pixels_first_0_0_count_16_value_5 when
-        to_integer(slice0shift_search_0_4(49 downto 49)) = 1 else slice0cost_pixels_first_0_0_count_16_value_5;
-      slice0cost_pixels_first_0_4_count_17_choice := not slice0cost_pixels_first_0_0_count_17_value when
-        to_integer(slice0shift_search_0_4(51 downto 51)) = 1 else slice0cost_pixels_first_0_0_count_17_value;
-      slice0cost_pixels_first_0_4_count_17_choice_2 := not slice0cost_pixels_first_0_0_count_17_value_3 when
-        to_integer(slice0shift_search_0_4(53 downto 53)) = 1 else slice0cost_pixels_first_0_0_count_17_value_3;
-      slice0cost_pixels_first_0_4_count_17_choice_3 := not slice0cost_pixels_first_0_0_count_17_value_5 when
-        to_integer(slice0shift_search_0_4(52 downto 52)) = 1 else slice0cost_pixels_first_0_0_count_17_value_5;
-      slice0cost_pixels_first_0_4_count_18_choice := not slice0cost_pixels_first_0_0_count_18_value when
-        to_integer(slice0shift_search_0_4(54 downto 54)) = 1 else slice0cost_pixels_first_0_0_count_18_value;
-      slice0cost_pixels_first_0_4_count_18_choice_2 := not slice0cost_pixels_first_0_0_count_18_value_3 when
-        to_integer(slice0shift_search_0_4(56 downto 56)) = 1 else slice0cost_pixels_first_0_0_count_18_value_3;
-      slice0cost_pixels_first_0_4_count_18_choice_3 := not slice0cost_pixels_first_0_0_count_18_value_5 when
-        to_integer(slice0shift_search_0_4(55 downto 55)) = 1 else slice0cost_pixels_first_0_0_count_18_value_5;
-      slice0cost_pixels_first_0_4_count_19_choice := not slice0cost_pixels_first_0_0_count_19_value when
-        to_integer(slice0shift_search_0_4(57 downto 57)) = 1 else slice0cost_pixels_first_0_0_count_19_value;
-      slice0cost_pixels_first_0_4_count_19_choice_2 := not slice0cost_pixels_first_0_0_count_19_value_3 when
-        to_integer(slice0shift_search_0_4(59 downto 59)) = 1 else slice0cost_pixels_first_0_0_count_19_value_3;
-      slice0cost_pixels_first_0_4_count_19_choice_3 := not slice0cost_pixels_first_0_0_count_19_value_5 when
-        to_integer(slice0shift_search_0_4(58 downto 58)) = 1 else slice0cost_pixels_first_0_0_count_19_value_5;
-      slice0cost_pixels_first_0_4_count_20_choice := not (to_integer(slice0shift_reference_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_0_4(61 downto 61)) = 1 else to_integer(slice0shift_reference_0(61 downto 61)) = 1;
-      slice0cost_pixels_first_0_4_count_20_choice_2 := not slice0cost_pixels_first_0_0_count_20_value when
-        to_integer(slice0shift_search_0_4(60 downto 60)) = 1 else slice0cost_pixels_first_0_0_count_20_value;
       slice0cost_pixels_first_1_0_count_0_value := to_integer(slice0shift_reference_1(2 downto 2)) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := to_integer(slice0shift_search_1_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := to_integer(slice0shift_reference_1(1 downto 1)) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := to_integer(slice0shift_search_1_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := to_integer(slice0shift_reference_1(1 downto 1)) = 1;
       slice0cost_pixels_first_1_0_count_1_value := to_integer(slice0shift_reference_1(3 downto 3)) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := to_integer(slice0shift_search_1_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := to_integer(slice0shift_reference_1(5 downto 5)) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := to_integer(slice0shift_search_1_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := to_integer(slice0shift_reference_1(4 downto 4)) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := to_integer(slice0shift_search_1_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := to_integer(slice0shift_reference_1(5 downto 5)) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := to_integer(slice0shift_reference_1(4 downto 4)) = 1;
       slice0cost_pixels_first_1_0_count_2_value := to_integer(slice0shift_reference_1(8 downto 8)) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := to_integer(slice0shift_search_1_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := to_integer(slice0shift_reference_1(6 downto 6)) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := to_integer(slice0shift_search_1_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := to_integer(slice0shift_reference_1(6 downto 6)) = 1;
       slice0cost_pixels_first_1_0_count_3_value := to_integer(slice0shift_reference_1(9 downto 9)) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := to_integer(slice0shift_search_1_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := to_integer(slice0shift_reference_1(11 downto 11)) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := to_integer(slice0shift_search_1_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := to_integer(slice0shift_reference_1(10 downto 10)) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := to_integer(slice0shift_search_1_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := to_integer(slice0shift_reference_1(11 downto 11)) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := to_integer(slice0shift_reference_1(10 downto 10)) = 1;
       slice0cost_pixels_first_1_0_count_4_value := to_integer(slice0shift_reference_1(12 downto 12)) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := to_integer(slice0shift_search_1_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := to_integer(slice0shift_reference_1(14 downto 14)) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := to_integer(slice0shift_search_1_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := to_integer(slice0shift_reference_1(13 downto 13)) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := to_integer(slice0shift_search_1_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := to_integer(slice0shift_reference_1(14 downto 14)) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := to_integer(slice0shift_reference_1(13 downto 13)) = 1;
       slice0cost_pixels_first_1_0_count_5_value := to_integer(slice0shift_reference_1(15 downto 15)) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := to_integer(slice0shift_search_1_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := to_integer(slice0shift_reference_1(17 downto 17)) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := to_integer(slice0shift_search_1_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := to_integer(slice0shift_reference_1(16 downto 16)) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := to_integer(slice0shift_search_1_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := to_integer(slice0shift_reference_1(17 downto 17)) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := to_integer(slice0shift_reference_1(16 downto 16)) = 1;
       slice0cost_pixels_first_1_0_count_6_value := to_integer(slice0shift_reference_1(18 downto 18)) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := to_integer(slice0shift_search_1_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := to_integer(slice0shift_reference_1(20 downto 20)) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := to_integer(slice0shift_search_1_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := to_integer(slice0shift_reference_1(19 downto 19)) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := to_integer(slice0shift_search_1_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := to_integer(slice0shift_reference_1(20 downto 20)) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := to_integer(slice0shift_reference_1(19 downto 19)) = 1;
       slice0cost_pixels_first_1_0_count_7_value := to_integer(slice0shift_reference_1(21 downto 21)) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := to_integer(slice0shift_search_1_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_value_3 := to_integer(slice0shift_reference_1(23 downto 23)) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := to_integer(slice0shift_search_1_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_0_count_7_value_5 := to_integer(slice0shift_reference_1(22 downto 22)) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_6 := to_integer(slice0shift_search_1_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_6 when
-        slice0cost_pixels_first_1_0_count_7_value_5 else slice0cost_pixels_first_1_0_count_7_value_6;
+      slice0cost_pixels_first_1_0_count_7_value_2 := to_integer(slice0shift_reference_1(23 downto 23)) = 1;
+      slice0cost_pixels_first_1_0_count_7_value_3 := to_integer(slice0shift_reference_1(22 downto 22)) = 1;
       slice0cost_pixels_first_1_0_count_8_value := to_integer(slice0shift_reference_1(24 downto 24)) = 1;
-      slice0cost_pixels_first_1_0_count_8_value_2 := to_integer(slice0shift_search_1_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_1_0_count_8_choice := not slice0cost_pixels_first_1_0_count_8_value_2 when
-        slice0cost_pixels_first_1_0_count_8_value else slice0cost_pixels_first_1_0_count_8_value_2;
-      slice0cost_pixels_first_1_0_count_8_value_3 := to_integer(slice0shift_reference_1(26 downto 26)) = 1;
-      slice0cost_pixels_first_1_0_count_8_value_4 := to_integer(slice0shift_search_1_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_1_0_count_8_choice_2 := not slice0cost_pixels_first_1_0_count_8_value_4 when
-        slice0cost_pixels_first_1_0_count_8_value_3 else slice0cost_pixels_first_1_0_count_8_value_4;
-      slice0cost_pixels_first_1_0_count_8_value_5 := to_integer(slice0shift_reference_1(25 downto 25)) = 1;
-      slice0cost_pixels_first_1_0_count_8_value_6 := to_integer(slice0shift_search_1_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_1_0_count_8_choice_3 := not slice0cost_pixels_first_1_0_count_8_value_6 when
-        slice0cost_pixels_first_1_0_count_8_value_5 else slice0cost_pixels_first_1_0_count_8_value_6;
+      slice0cost_pixels_first_1_0_count_8_value_2 := to_integer(slice0shift_reference_1(26 downto 26)) = 1;
+      slice0cost_pixels_first_1_0_count_8_value_3 := to_integer(slice0shift_reference_1(25 downto 25)) = 1;
       slice0cost_pixels_first_1_0_count_9_value := to_integer(slice0shift_reference_1(27 downto 27)) = 1;
-      slice0cost_pixels_first_1_0_count_9_value_2 := to_integer(slice0shift_search_1_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_1_0_count_9_choice := not slice0cost_pixels_first_1_0_count_9_value_2 when
-        slice0cost_pixels_first_1_0_count_9_value else slice0cost_pixels_first_1_0_count_9_value_2;
-      slice0cost_pixels_first_1_0_count_9_value_3 := to_integer(slice0shift_reference_1(29 downto 29)) = 1;
-      slice0cost_pixels_first_1_0_count_9_value_4 := to_integer(slice0shift_search_1_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_1_0_count_9_choice_2 := not slice0cost_pixels_first_1_0_count_9_value_4 when
-        slice0cost_pixels_first_1_0_count_9_value_3 else slice0cost_pixels_first_1_0_count_9_value_4;
-      slice0cost_pixels_first_1_0_count_9_value_5 := to_integer(slice0shift_reference_1(28 downto 28)) = 1;
-      slice0cost_pixels_first_1_0_count_9_value_6 := to_integer(slice0shift_search_1_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_1_0_count_9_choice_3 := not slice0cost_pixels_first_1_0_count_9_value_6 when
-        slice0cost_pixels_first_1_0_count_9_value_5 else slice0cost_pixels_first_1_0_count_9_value_6;
+      slice0cost_pixels_first_1_0_count_9_value_2 := to_integer(slice0shift_reference_1(29 downto 29)) = 1;
+      slice0cost_pixels_first_1_0_count_9_value_3 := to_integer(slice0shift_reference_1(28 downto 28)) = 1;
       slice0cost_pixels_first_1_0_count_10_value := to_integer(slice0shift_reference_1(30 downto 30)) = 1;
-      slice0cost_pixels_first_1_0_count_10_value_2 := to_integer(slice0shift_search_1_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_1_0_count_10_choice := not slice0cost_pixels_first_1_0_count_10_value_2 when
-        slice0cost_pixels_first_1_0_count_10_value else slice0cost_pixels_first_1_0_count_10_value_2;
-      slice0cost_pixels_first_1_0_count_10_value_3 := to_integer(slice0shift_reference_1(32 downto 32)) = 1;
-      slice0cost_pixels_first_1_0_count_10_value_4 := to_integer(slice0shift_search_1_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_1_0_count_10_choice_2 := not slice0cost_pixels_first_1_0_count_10_value_4 when
-        slice0cost_pixels_first_1_0_count_10_value_3 else slice0cost_pixels_first_1_0_count_10_value_4;
-      slice0cost_pixels_first_1_0_count_10_value_5 := to_integer(slice0shift_reference_1(31 downto 31)) = 1;
-      slice0cost_pixels_first_1_0_count_10_value_6 := to_integer(slice0shift_search_1_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_1_0_count_10_choice_3 := not slice0cost_pixels_first_1_0_count_10_value_6 when
-        slice0cost_pixels_first_1_0_count_10_value_5 else slice0cost_pixels_first_1_0_count_10_value_6;
+      slice0cost_pixels_first_1_0_count_10_value_2 := to_integer(slice0shift_reference_1(32 downto 32)) = 1;
+      slice0cost_pixels_first_1_0_count_10_value_3 := to_integer(slice0shift_reference_1(31 downto 31)) = 1;
       slice0cost_pixels_first_1_0_count_11_value := to_integer(slice0shift_reference_1(33 downto 33)) = 1;
-      slice0cost_pixels_first_1_0_count_11_value_2 := to_integer(slice0shift_search_1_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_1_0_count_11_choice := not slice0cost_pixels_first_1_0_count_11_value_2 when
-        slice0cost_pixels_first_1_0_count_11_value else slice0cost_pixels_first_1_0_count_11_value_2;
-      slice0cost_pixels_first_1_0_count_11_value_3 := to_integer(slice0shift_reference_1(35 downto 35)) = 1;
-      slice0cost_pixels_first_1_0_count_11_value_4 := to_integer(slice0shift_search_1_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_1_0_count_11_choice_2 := not slice0cost_pixels_first_1_0_count_11_value_4 when
-        slice0cost_pixels_first_1_0_count_11_value_3 else slice0cost_pixels_first_1_0_count_11_value_4;
-      slice0cost_pixels_first_1_0_count_11_value_5 := to_integer(slice0shift_reference_1(34 downto 34)) = 1;
-      slice0cost_pixels_first_1_0_count_11_value_6 := to_integer(slice0shift_search_1_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_1_0_count_11_choice_3 := not slice0cost_pixels_first_1_0_count_11_value_6 when
-        slice0cost_pixels_first_1_0_count_11_value_5 else slice0cost_pixels_first_1_0_count_11_value_6;
+      slice0cost_pixels_first_1_0_count_11_value_2 := to_integer(slice0shift_reference_1(35 downto 35)) = 1;
+      slice0cost_pixels_first_1_0_count_11_value_3 := to_integer(slice0shift_reference_1(34 downto 34)) = 1;
       slice0cost_pixels_first_1_0_count_12_value := to_integer(slice0shift_reference_1(36 downto 36)) = 1;
-      slice0cost_pixels_first_1_0_count_12_value_2 := to_integer(slice0shift_search_1_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_1_0_count_12_choice := not slice0cost_pixels_first_1_0_count_12_value_2 when
-        slice0cost_pixels_first_1_0_count_12_value else slice0cost_pixels_first_1_0_count_12_value_2;
-      slice0cost_pixels_first_1_0_count_12_value_3 := to_integer(slice0shift_reference_1(38 downto 38)) = 1;
-      slice0cost_pixels_first_1_0_count_12_value_4 := to_integer(slice0shift_search_1_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_1_0_count_12_choice_2 := not slice0cost_pixels_first_1_0_count_12_value_4 when
-        slice0cost_pixels_first_1_0_count_12_value_3 else slice0cost_pixels_first_1_0_count_12_value_4;
-      slice0cost_pixels_first_1_0_count_12_value_5 := to_integer(slice0shift_reference_1(37 downto 37)) = 1;
-      slice0cost_pixels_first_1_0_count_12_value_6 := to_integer(slice0shift_search_1_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_1_0_count_12_choice_3 := not slice0cost_pixels_first_1_0_count_12_value_6 when
-        slice0cost_pixels_first_1_0_count_12_value_5 else slice0cost_pixels_first_1_0_count_12_value_6;
+      slice0cost_pixels_first_1_0_count_12_value_2 := to_integer(slice0shift_reference_1(38 downto 38)) = 1;
+      slice0cost_pixels_first_1_0_count_12_value_3 := to_integer(slice0shift_reference_1(37 downto 37)) = 1;
       slice0cost_pixels_first_1_0_count_13_value := to_integer(slice0shift_reference_1(39 downto 39)) = 1;
-      slice0cost_pixels_first_1_0_count_13_value_2 := to_integer(slice0shift_search_1_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_1_0_count_13_choice := not slice0cost_pixels_first_1_0_count_13_value_2 when
-        slice0cost_pixels_first_1_0_count_13_value else slice0cost_pixels_first_1_0_count_13_value_2;
-      slice0cost_pixels_first_1_0_count_13_value_3 := to_integer(slice0shift_reference_1(41 downto 41)) = 1;
-      slice0cost_pixels_first_1_0_count_13_value_4 := to_integer(slice0shift_search_1_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_1_0_count_13_choice_2 := not slice0cost_pixels_first_1_0_count_13_value_4 when
-        slice0cost_pixels_first_1_0_count_13_value_3 else slice0cost_pixels_first_1_0_count_13_value_4;
-      slice0cost_pixels_first_1_0_count_13_value_5 := to_integer(slice0shift_reference_1(40 downto 40)) = 1;
-      slice0cost_pixels_first_1_0_count_13_value_6 := to_integer(slice0shift_search_1_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_1_0_count_13_choice_3 := not slice0cost_pixels_first_1_0_count_13_value_6 when
-        slice0cost_pixels_first_1_0_count_13_value_5 else slice0cost_pixels_first_1_0_count_13_value_6;
+      slice0cost_pixels_first_1_0_count_13_value_2 := to_integer(slice0shift_reference_1(41 downto 41)) = 1;
+      slice0cost_pixels_first_1_0_count_13_value_3 := to_integer(slice0shift_reference_1(40 downto 40)) = 1;
       slice0cost_pixels_first_1_0_count_14_value := to_integer(slice0shift_reference_1(42 downto 42)) = 1;
-      slice0cost_pixels_first_1_0_count_14_value_2 := to_integer(slice0shift_search_1_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_1_0_count_14_choice := not slice0cost_pixels_first_1_0_count_14_value_2 when
-        slice0cost_pixels_first_1_0_count_14_value else slice0cost_pixels_first_1_0_count_14_value_2;
-      slice0cost_pixels_first_1_0_count_14_value_3 := to_integer(slice0shift_reference_1(44 downto 44)) = 1;
-      slice0cost_pixels_first_1_0_count_14_value_4 := to_integer(slice0shift_search_1_0(44 downto 44)) = 1;
-      slice0cost_pixels_first_1_0_count_14_choice_2 := not slice0cost_pixels_first_1_0_count_14_value_4 when
-        slice0cost_pixels_first_1_0_count_14_value_3 else slice0cost_pixels_first_1_0_count_14_value_4;
-      slice0cost_pixels_first_1_0_count_14_value_5 := to_integer(slice0shift_reference_1(43 downto 43)) = 1;
-      slice0cost_pixels_first_1_0_count_14_value_6 := to_integer(slice0shift_search_1_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_1_0_count_14_choice_3 := not slice0cost_pixels_first_1_0_count_14_value_6 when
-        slice0cost_pixels_first_1_0_count_14_value_5 else slice0cost_pixels_first_1_0_count_14_value_6;
+      slice0cost_pixels_first_1_0_count_14_value_2 := to_integer(slice0shift_reference_1(44 downto 44)) = 1;
+      slice0cost_pixels_first_1_0_count_14_value_3 := to_integer(slice0shift_reference_1(43 downto 43)) = 1;
       slice0cost_pixels_first_1_0_count_15_value := to_integer(slice0shift_reference_1(45 downto 45)) = 1;
-      slice0cost_pixels_first_1_0_count_15_value_2 := to_integer(slice0shift_search_1_0(45 downto 45)) = 1;
-      slice0cost_pixels_first_1_0_count_15_choice := not slice0cost_pixels_first_1_0_count_15_value_2 when
-        slice0cost_pixels_first_1_0_count_15_value else slice0cost_pixels_first_1_0_count_15_value_2;
-      slice0cost_pixels_first_1_0_count_15_value_3 := to_integer(slice0shift_reference_1(47 downto 47)) = 1;
-      slice0cost_pixels_first_1_0_count_15_value_4 := to_integer(slice0shift_search_1_0(47 downto 47)) = 1;
-      slice0cost_pixels_first_1_0_count_15_choice_2 := not slice0cost_pixels_first_1_0_count_15_value_4 when
-        slice0cost_pixels_first_1_0_count_15_value_3 else slice0cost_pixels_first_1_0_count_15_value_4;
-      slice0cost_pixels_first_1_0_count_15_value_5 := to_integer(slice0shift_reference_1(46 downto 46)) = 1;
-      slice0cost_pixels_first_1_0_count_15_value_6 := to_integer(slice0shift_search_1_0(46 downto 46)) = 1;
-      slice0cost_pixels_first_1_0_count_15_choice_3 := not slice0cost_pixels_first_1_0_count_15_value_6 when
-        slice0cost_pixels_first_1_0_count_15_value_5 else slice0cost_pixels_first_1_0_count_15_value_6;
+      slice0cost_pixels_first_1_0_count_15_value_2 := to_integer(slice0shift_reference_1(47 downto 47)) = 1;
+      slice0cost_pixels_first_1_0_count_15_value_3 := to_integer(slice0shift_reference_1(46 downto 46)) = 1;
       slice0cost_pixels_first_1_0_count_16_value := to_integer(slice0shift_reference_1(48 downto 48)) = 1;
-      slice0cost_pixels_first_1_0_count_16_value_2 := to_integer(slice0shift_search_1_0(48 downto 48)) = 1;
-      slice0cost_pixels_first_1_0_count_16_choice := not slice0cost_pixels_first_1_0_count_16_value_2 when
-        slice0cost_pixels_first_1_0_count_16_value else slice0cost_pixels_first_1_0_count_16_value_2;
-      slice0cost_pixels_first_1_0_count_16_value_3 := to_integer(slice0shift_reference_1(50 downto 50)) = 1;
-      slice0cost_pixels_first_1_0_count_16_value_4 := to_integer(slice0shift_search_1_0(50 downto 50)) = 1;
-      slice0cost_pixels_first_1_0_count_16_choice_2 := not slice0cost_pixels_first_1_0_count_16_value_4 when
-        slice0cost_pixels_first_1_0_count_16_value_3 else slice0cost_pixels_first_1_0_count_16_value_4;
-      slice0cost_pixels_first_1_0_count_16_value_5 := to_integer(slice0shift_reference_1(49 downto 49)) = 1;
-      slice0cost_pixels_first_1_0_count_16_value_6 := to_integer(slice0shift_search_1_0(49 downto 49)) = 1;
-      slice0cost_pixels_first_1_0_count_16_choice_3 := not slice0cost_pixels_first_1_0_count_16_value_6 when
-        slice0cost_pixels_first_1_0_count_16_value_5 else slice0cost_pixels_first_1_0_count_16_value_6;
+      slice0cost_pixels_first_1_0_count_16_value_2 := to_integer(slice0shift_reference_1(50 downto 50)) = 1;
+      slice0cost_pixels_first_1_0_count_16_value_3 := to_integer(slice0shift_reference_1(49 downto 49)) = 1;
       slice0cost_pixels_first_1_0_count_17_value := to_integer(slice0shift_reference_1(51 downto 51)) = 1;
-      slice0cost_pixels_first_1_0_count_17_value_2 := to_integer(slice0shift_search_1_0(51 downto 51)) = 1;
-      slice0cost_pixels_first_1_0_count_17_choice := not slice0cost_pixels_first_1_0_count_17_value_2 when
-        slice0cost_pixels_first_1_0_count_17_value else slice0cost_pixels_first_1_0_count_17_value_2;
-      slice0cost_pixels_first_1_0_count_17_value_3 := to_integer(slice0shift_reference_1(53 downto 53)) = 1;
-      slice0cost_pixels_first_1_0_count_17_value_4 := to_integer(slice0shift_search_1_0(53 downto 53)) = 1;
-      slice0cost_pixels_first_1_0_count_17_choice_2 := not slice0cost_pixels_first_1_0_count_17_value_4 when
-        slice0cost_pixels_first_1_0_count_17_value_3 else slice0cost_pixels_first_1_0_count_17_value_4;
-      slice0cost_pixels_first_1_0_count_17_value_5 := to_integer(slice0shift_reference_1(52 downto 52)) = 1;
-      slice0cost_pixels_first_1_0_count_17_value_6 := to_integer(slice0shift_search_1_0(52 downto 52)) = 1;
-      slice0cost_pixels_first_1_0_count_17_choice_3 := not slice0cost_pixels_first_1_0_count_17_value_6 when
-        slice0cost_pixels_first_1_0_count_17_value_5 else slice0cost_pixels_first_1_0_count_17_value_6;
+      slice0cost_pixels_first_1_0_count_17_value_2 := to_integer(slice0shift_reference_1(53 downto 53)) = 1;
+      slice0cost_pixels_first_1_0_count_17_value_3 := to_integer(slice0shift_reference_1(52 downto 52)) = 1;
       slice0cost_pixels_first_1_0_count_18_value := to_integer(slice0shift_reference_1(54 downto 54)) = 1;
-      slice0cost_pixels_first_1_0_count_18_value_2 := to_integer(slice0shift_search_1_0(54 downto 54)) = 1;
-      slice0cost_pixels_first_1_0_count_18_choice := not slice0cost_pixels_first_1_0_count_18_value_2 when
-        slice0cost_pixels_first_1_0_count_18_value else slice0cost_pixels_first_1_0_count_18_value_2;
-      slice0cost_pixels_first_1_0_count_18_value_3 := to_integer(slice0shift_reference_1(56 downto 56)) = 1;
-      slice0cost_pixels_first_1_0_count_18_value_4 := to_integer(slice0shift_search_1_0(56 downto 56)) = 1;
-      slice0cost_pixels_first_1_0_count_18_choice_2 := not slice0cost_pixels_first_1_0_count_18_value_4 when
-        slice0cost_pixels_first_1_0_count_18_value_3 else slice0cost_pixels_first_1_0_count_18_value_4;
-      slice0cost_pixels_first_1_0_count_18_value_5 := to_integer(slice0shift_reference_1(55 downto 55)) = 1;
-      slice0cost_pixels_first_1_0_count_18_value_6 := to_integer(slice0shift_search_1_0(55 downto 55)) = 1;
-      slice0cost_pixels_first_1_0_count_18_choice_3 := not slice0cost_pixels_first_1_0_count_18_value_6 when
-        slice0cost_pixels_first_1_0_count_18_value_5 else slice0cost_pixels_first_1_0_count_18_value_6;
+      slice0cost_pixels_first_1_0_count_18_value_2 := to_integer(slice0shift_reference_1(56 downto 56)) = 1;
+      slice0cost_pixels_first_1_0_count_18_value_3 := to_integer(slice0shift_reference_1(55 downto 55)) = 1;
       slice0cost_pixels_first_1_0_count_19_value := to_integer(slice0shift_reference_1(57 downto 57)) = 1;
-      slice0cost_pixels_first_1_0_count_19_value_2 := to_integer(slice0shift_search_1_0(57 downto 57)) = 1;
-      slice0cost_pixels_first_1_0_count_19_choice := not slice0cost_pixels_first_1_0_count_19_value_2 when
-        slice0cost_pixels_first_1_0_count_19_value else slice0cost_pixels_first_1_0_count_19_value_2;
-      slice0cost_pixels_first_1_0_count_19_value_3 := to_integer(slice0shift_reference_1(59 downto 59)) = 1;
-      slice0cost_pixels_first_1_0_count_19_value_4 := to_integer(slice0shift_search_1_0(59 downto 59)) = 1;
-      slice0cost_pixels_first_1_0_count_19_choice_2 := not slice0cost_pixels_first_1_0_count_19_value_4 when
-        slice0cost_pixels_first_1_0_count_19_value_3 else slice0cost_pixels_first_1_0_count_19_value_4;
-      slice0cost_pixels_first_1_0_count_19_value_5 := to_integer(slice0shift_reference_1(58 downto 58)) = 1;
-      slice0cost_pixels_first_1_0_count_19_value_6 := to_integer(slice0shift_search_1_0(58 downto 58)) = 1;
-      slice0cost_pixels_first_1_0_count_19_choice_3 := not slice0cost_pixels_first_1_0_count_19_value_6 when
-        slice0cost_pixels_first_1_0_count_19_value_5 else slice0cost_pixels_first_1_0_count_19_value_6;
-      slice0cost_pixels_first_1_0_count_20_choice := not (to_integer(slice0shift_search_1_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_reference_1(61 downto 61)) = 1 else to_integer(slice0shift_search_1_0(61 downto 61)) = 1;
+      slice0cost_pixels_first_1_0_count_19_value_2 := to_integer(slice0shift_reference_1(59 downto 59)) = 1;
+      slice0cost_pixels_first_1_0_count_19_value_3 := to_integer(slice0shift_reference_1(58 downto 58)) = 1;
       slice0cost_pixels_first_1_0_count_20_value := to_integer(slice0shift_reference_1(60 downto 60)) = 1;
-      slice0cost_pixels_first_1_0_count_20_value_2 := to_integer(slice0shift_search_1_0(60 downto 60)) = 1;
-      slice0cost_pixels_first_1_0_count_20_choice_2 := not slice0cost_pixels_first_1_0_count_20_value_2 when
-        slice0cost_pixels_first_1_0_count_20_value else slice0cost_pixels_first_1_0_count_20_value_2;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        to_integer(slice0shift_search_1_1(2 downto 2)) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        to_integer(slice0shift_search_1_1(1 downto 1)) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        to_integer(slice0shift_search_1_1(3 downto 3)) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        to_integer(slice0shift_search_1_1(5 downto 5)) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        to_integer(slice0shift_search_1_1(4 downto 4)) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        to_integer(slice0shift_search_1_1(8 downto 8)) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        to_integer(slice0shift_search_1_1(6 downto 6)) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        to_integer(slice0shift_search_1_1(9 downto 9)) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        to_integer(slice0shift_search_1_1(11 downto 11)) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        to_integer(slice0shift_search_1_1(10 downto 10)) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        to_integer(slice0shift_search_1_1(12 downto 12)) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        to_integer(slice0shift_search_1_1(14 downto 14)) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        to_integer(slice0shift_search_1_1(13 downto 13)) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        to_integer(slice0shift_search_1_1(15 downto 15)) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        to_integer(slice0shift_search_1_1(17 downto 17)) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        to_integer(slice0shift_search_1_1(16 downto 16)) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        to_integer(slice0shift_search_1_1(18 downto 18)) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        to_integer(slice0shift_search_1_1(20 downto 20)) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        to_integer(slice0shift_search_1_1(19 downto 19)) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        to_integer(slice0shift_search_1_1(21 downto 21)) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        to_integer(slice0shift_search_1_1(23 downto 23)) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_5 when
-        to_integer(slice0shift_search_1_1(22 downto 22)) = 1 else slice0cost_pixels_first_1_0_count_7_value_5;
-      slice0cost_pixels_first_1_1_count_8_choice := not slice0cost_pixels_first_1_0_count_8_value when
-        to_integer(slice0shift_search_1_1(24 downto 24)) = 1 else slice0cost_pixels_first_1_0_count_8_value;
-      slice0cost_pixels_first_1_1_count_8_choice_2 := not slice0cost_pixels_first_1_0_count_8_value_3 when
-        to_integer(slice0shift_search_1_1(26 downto 26)) = 1 else slice0cost_pixels_first_1_0_count_8_value_3;
-      slice0cost_pixels_first_1_1_count_8_choice_3 := not slice0cost_pixels_first_1_0_count_8_value_5 when
-        to_integer(slice0shift_search_1_1(25 downto 25)) = 1 else slice0cost_pixels_first_1_0_count_8_value_5;
-      slice0cost_pixels_first_1_1_count_9_choice := not slice0cost_pixels_first_1_0_count_9_value when
-        to_integer(slice0shift_search_1_1(27 downto 27)) = 1 else slice0cost_pixels_first_1_0_count_9_value;
-      slice0cost_pixels_first_1_1_count_9_choice_2 := not slice0cost_pixels_first_1_0_count_9_value_3 when
-        to_integer(slice0shift_search_1_1(29 downto 29)) = 1 else slice0cost_pixels_first_1_0_count_9_value_3;
-      slice0cost_pixels_first_1_1_count_9_choice_3 := not slice0cost_pixels_first_1_0_count_9_value_5 when
-        to_integer(slice0shift_search_1_1(28 downto 28)) = 1 else slice0cost_pixels_first_1_0_count_9_value_5;
-      slice0cost_pixels_first_1_1_count_10_choice := not slice0cost_pixels_first_1_0_count_10_value when
-        to_integer(slice0shift_search_1_1(30 downto 30)) = 1 else slice0cost_pixels_first_1_0_count_10_value;
-      slice0cost_pixels_first_1_1_count_10_choice_2 := not slice0cost_pixels_first_1_0_count_10_value_3 when
-        to_integer(slice0shift_search_1_1(32 downto 32)) = 1 else slice0cost_pixels_first_1_0_count_10_value_3;
-      slice0cost_pixels_first_1_1_count_10_choice_3 := not slice0cost_pixels_first_1_0_count_10_value_5 when
-        to_integer(slice0shift_search_1_1(31 downto 31)) = 1 else slice0cost_pixels_first_1_0_count_10_value_5;
-      slice0cost_pixels_first_1_1_count_11_choice := not slice0cost_pixels_first_1_0_count_11_value when
-        to_integer(slice0shift_search_1_1(33 downto 33)) = 1 else slice0cost_pixels_first_1_0_count_11_value;
-      slice0cost_pixels_first_1_1_count_11_choice_2 := not slice0cost_pixels_first_1_0_count_11_value_3 when
-        to_integer(slice0shift_search_1_1(35 downto 35)) = 1 else slice0cost_pixels_first_1_0_count_11_value_3;
-      slice0cost_pixels_first_1_1_count_11_choice_3 := not slice0cost_pixels_first_1_0_count_11_value_5 when
-        to_integer(slice0shift_search_1_1(34 downto 34)) = 1 else slice0cost_pixels_first_1_0_count_11_value_5;
-      slice0cost_pixels_first_1_1_count_12_choice := not slice0cost_pixels_first_1_0_count_12_value when
-        to_integer(slice0shift_search_1_1(36 downto 36)) = 1 else slice0cost_pixels_first_1_0_count_12_value;
-      slice0cost_pixels_first_1_1_count_12_choice_2 := not slice0cost_pixels_first_1_0_count_12_value_3 when
-        to_integer(slice0shift_search_1_1(38 downto 38)) = 1 else slice0cost_pixels_first_1_0_count_12_value_3;
-      slice0cost_pixels_first_1_1_count_12_choice_3 := not slice0cost_pixels_first_1_0_count_12_value_5 when
-        to_integer(slice0shift_search_1_1(37 downto 37)) = 1 else slice0cost_pixels_first_1_0_count_12_value_5;
-      slice0cost_pixels_first_1_1_count_13_choice := not slice0cost_pixels_first_1_0_count_13_value when
-        to_integer(slice0shift_search_1_1(39 downto 39)) = 1 else slice0cost_pixels_first_1_0_count_13_value;
-      slice0cost_pixels_first_1_1_count_13_choice_2 := not slice0cost_pixels_first_1_0_count_13_value_3 when
-        to_integer(slice0shift_search_1_1(41 downto 41)) = 1 else slice0cost_pixels_first_1_0_count_13_value_3;
-      slice0cost_pixels_first_1_1_count_13_choice_3 := not slice0cost_pixels_first_1_0_count_13_value_5 when
-        to_integer(slice0shift_search_1_1(40 downto 40)) = 1 else slice0cost_pixels_first_1_0_count_13_value_5;
-      slice0cost_pixels_first_1_1_count_14_choice := not slice0cost_pixels_first_1_0_count_14_value when
-        to_integer(slice0shift_search_1_1(42 downto 42)) = 1 else slice0cost_pixels_first_1_0_count_14_value;
-      slice0cost_pixels_first_1_1_count_14_choice_2 := not slice0cost_pixels_first_1_0_count_14_value_3 when
-        to_integer(slice0shift_search_1_1(44 downto 44)) = 1 else slice0cost_pixels_first_1_0_count_14_value_3;
-      slice0cost_pixels_first_1_1_count_14_choice_3 := not slice0cost_pixels_first_1_0_count_14_value_5 when
-        to_integer(slice0shift_search_1_1(43 downto 43)) = 1 else slice0cost_pixels_first_1_0_count_14_value_5;
-      slice0cost_pixels_first_1_1_count_15_choice := not slice0cost_pixels_first_1_0_count_15_value when
-        to_integer(slice0shift_search_1_1(45 downto 45)) = 1 else slice0cost_pixels_first_1_0_count_15_value;
-      slice0cost_pixels_first_1_1_count_15_choice_2 := not slice0cost_pixels_first_1_0_count_15_value_3 when
-        to_integer(slice0shift_search_1_1(47 downto 47)) = 1 else slice0cost_pixels_first_1_0_count_15_value_3;
-      slice0cost_pixels_first_1_1_count_15_choice_3 := not slice0cost_pixels_first_1_0_count_15_value_5 when
-        to_integer(slice0shift_search_1_1(46 downto 46)) = 1 else slice0cost_pixels_first_1_0_count_15_value_5;
-      slice0cost_pixels_first_1_1_count_16_choice := not slice0cost_pixels_first_1_0_count_16_value when
-        to_integer(slice0shift_search_1_1(48 downto 48)) = 1 else slice0cost_pixels_first_1_0_count_16_value;
-      slice0cost_pixels_first_1_1_count_16_choice_2 := not slice0cost_pixels_first_1_0_count_16_value_3 when
-        to_integer(slice0shift_search_1_1(50 downto 50)) = 1 else slice0cost_pixels_first_1_0_count_16_value_3;
-      slice0cost_pixels_first_1_1_count_16_choice_3 := not slice0cost_pixels_first_1_0_count_16_value_5 when
-        to_integer(slice0shift_search_1_1(49 downto 49)) = 1 else slice0cost_pixels_first_1_0_count_16_value_5;
-      slice0cost_pixels_first_1_1_count_17_choice := not slice0cost_pixels_first_1_0_count_17_value when
-        to_integer(slice0shift_search_1_1(51 downto 51)) = 1 else slice0cost_pixels_first_1_0_count_17_value;
-      slice0cost_pixels_first_1_1_count_17_choice_2 := not slice0cost_pixels_first_1_0_count_17_value_3 when
-        to_integer(slice0shift_search_1_1(53 downto 53)) = 1 else slice0cost_pixels_first_1_0_count_17_value_3;
-      slice0cost_pixels_first_1_1_count_17_choice_3 := not slice0cost_pixels_first_1_0_count_17_value_5 when
-        to_integer(slice0shift_search_1_1(52 downto 52)) = 1 else slice0cost_pixels_first_1_0_count_17_value_5;
-      slice0cost_pixels_first_1_1_count_18_choice := not slice0cost_pixels_first_1_0_count_18_value when
-        to_integer(slice0shift_search_1_1(54 downto 54)) = 1 else slice0cost_pixels_first_1_0_count_18_value;
-      slice0cost_pixels_first_1_1_count_18_choice_2 := not slice0cost_pixels_first_1_0_count_18_value_3 when
-        to_integer(slice0shift_search_1_1(56 downto 56)) = 1 else slice0cost_pixels_first_1_0_count_18_value_3;
-      slice0cost_pixels_first_1_1_count_18_choice_3 := not slice0cost_pixels_first_1_0_count_18_value_5 when
-        to_integer(slice0shift_search_1_1(55 downto 55)) = 1 else slice0cost_pixels_first_1_0_count_18_value_5;
-      slice0cost_pixels_first_1_1_count_19_choice := not slice0cost_pixels_first_1_0_count_19_value when
-        to_integer(slice0shift_search_1_1(57 downto 57)) = 1 else slice0cost_pixels_first_1_0_count_19_value;
-      slice0cost_pixels_first_1_1_count_19_choice_2 := not slice0cost_pixels_first_1_0_count_19_value_3 when
-        to_integer(slice0shift_search_1_1(59 downto 59)) = 1 else slice0cost_pixels_first_1_0_count_19_value_3;
-      slice0cost_pixels_first_1_1_count_19_choice_3 := not slice0cost_pixels_first_1_0_count_19_value_5 when
-        to_integer(slice0shift_search_1_1(58 downto 58)) = 1 else slice0cost_pixels_first_1_0_count_19_value_5;
-      slice0cost_pixels_first_1_1_count_20_choice := not (to_integer(slice0shift_reference_1(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_1_1(61 downto 61)) = 1 else to_integer(slice0shift_reference_1(61 downto 61)) = 1;
-      slice0cost_pixels_first_1_1_count_20_choice_2 := not slice0cost_pixels_first_1_0_count_20_value when
-        to_integer(slice0shift_search_1_1(60 downto 60)) = 1 else slice0cost_pixels_first_1_0_count_20_value;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        to_integer(slice0shift_search_1_2(2 downto 2)) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        to_integer(slice0shift_search_1_2(1 downto 1)) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        to_integer(slice0shift_search_1_2(3 downto 3)) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        to_integer(slice0shift_search_1_2(5 downto 5)) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        to_integer(slice0shift_search_1_2(4 downto 4)) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        to_integer(slice0shift_search_1_2(8 downto 8)) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        to_integer(slice0shift_search_1_2(6 downto 6)) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        to_integer(slice0shift_search_1_2(9 downto 9)) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        to_integer(slice0shift_search_1_2(11 downto 11)) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        to_integer(slice0shift_search_1_2(10 downto 10)) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        to_integer(slice0shift_search_1_2(12 downto 12)) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        to_integer(slice0shift_search_1_2(14 downto 14)) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        to_integer(slice0shift_search_1_2(13 downto 13)) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        to_integer(slice0shift_search_1_2(15 downto 15)) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        to_integer(slice0shift_search_1_2(17 downto 17)) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        to_integer(slice0shift_search_1_2(16 downto 16)) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        to_integer(slice0shift_search_1_2(18 downto 18)) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        to_integer(slice0shift_search_1_2(20 downto 20)) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        to_integer(slice0shift_search_1_2(19 downto 19)) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        to_integer(slice0shift_search_1_2(21 downto 21)) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        to_integer(slice0shift_search_1_2(23 downto 23)) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_5 when
-        to_integer(slice0shift_search_1_2(22 downto 22)) = 1 else slice0cost_pixels_first_1_0_count_7_value_5;
-      slice0cost_pixels_first_1_2_count_8_choice := not slice0cost_pixels_first_1_0_count_8_value when
-        to_integer(slice0shift_search_1_2(24 downto 24)) = 1 else slice0cost_pixels_first_1_0_count_8_value;
-      slice0cost_pixels_first_1_2_count_8_choice_2 := not slice0cost_pixels_first_1_0_count_8_value_3 when
-        to_integer(slice0shift_search_1_2(26 downto 26)) = 1 else slice0cost_pixels_first_1_0_count_8_value_3;
-      slice0cost_pixels_first_1_2_count_8_choice_3 := not slice0cost_pixels_first_1_0_count_8_value_5 when
-        to_integer(slice0shift_search_1_2(25 downto 25)) = 1 else slice0cost_pixels_first_1_0_count_8_value_5;
-      slice0cost_pixels_first_1_2_count_9_choice := not slice0cost_pixels_first_1_0_count_9_value when
-        to_integer(slice0shift_search_1_2(27 downto 27)) = 1 else slice0cost_pixels_first_1_0_count_9_value;
-      slice0cost_pixels_first_1_2_count_9_choice_2 := not slice0cost_pixels_first_1_0_count_9_value_3 when
-        to_integer(slice0shift_search_1_2(29 downto 29)) = 1 else slice0cost_pixels_first_1_0_count_9_value_3;
-      slice0cost_pixels_first_1_2_count_9_choice_3 := not slice0cost_pixels_first_1_0_count_9_value_5 when
-        to_integer(slice0shift_search_1_2(28 downto 28)) = 1 else slice0cost_pixels_first_1_0_count_9_value_5;
-      slice0cost_pixels_first_1_2_count_10_choice := not slice0cost_pixels_first_1_0_count_10_value when
-        to_integer(slice0shift_search_1_2(30 downto 30)) = 1 else slice0cost_pixels_first_1_0_count_10_value;
-      slice0cost_pixels_first_1_2_count_10_choice_2 := not slice0cost_pixels_first_1_0_count_10_value_3 when
-        to_integer(slice0shift_search_1_2(32 downto 32)) = 1 else slice0cost_pixels_first_1_0_count_10_value_3;
-      slice0cost_pixels_first_1_2_count_10_choice_3 := not slice0cost_pixels_first_1_0_count_10_value_5 when
-        to_integer(slice0shift_search_1_2(31 downto 31)) = 1 else slice0cost_pixels_first_1_0_count_10_value_5;
-      slice0cost_pixels_first_1_2_count_11_choice := not slice0cost_pixels_first_1_0_count_11_value when
-        to_integer(slice0shift_search_1_2(33 downto 33)) = 1 else slice0cost_pixels_first_1_0_count_11_value;
-      slice0cost_pixels_first_1_2_count_11_choice_2 := not slice0cost_pixels_first_1_0_count_11_value_3 when
-        to_integer(slice0shift_search_1_2(35 downto 35)) = 1 else slice0cost_pixels_first_1_0_count_11_value_3;
-      slice0cost_pixels_first_1_2_count_11_choice_3 := not slice0cost_pixels_first_1_0_count_11_value_5 when
-        to_integer(slice0shift_search_1_2(34 downto 34)) = 1 else slice0cost_pixels_first_1_0_count_11_value_5;
-      slice0cost_pixels_first_1_2_count_12_choice := not slice0cost_pixels_first_1_0_count_12_value when
-        to_integer(slice0shift_search_1_2(36 downto 36)) = 1 else slice0cost_pixels_first_1_0_count_12_value;
-      slice0cost_pixels_first_1_2_count_12_choice_2 := not slice0cost_pixels_first_1_0_count_12_value_3 when
-        to_integer(slice0shift_search_1_2(38 downto 38)) = 1 else slice0cost_pixels_first_1_0_count_12_value_3;
-      slice0cost_pixels_first_1_2_count_12_choice_3 := not slice0cost_pixels_first_1_0_count_12_value_5 when
-        to_integer(slice0shift_search_1_2(37 downto 37)) = 1 else slice0cost_pixels_first_1_0_count_12_value_5;
-      slice0cost_pixels_first_1_2_count_13_choice := not slice0cost_pixels_first_1_0_count_13_value when
-        to_integer(slice0shift_search_1_2(39 downto 39)) = 1 else slice0cost_pixels_first_1_0_count_13_value;
-      slice0cost_pixels_first_1_2_count_13_choice_2 := not slice0cost_pixels_first_1_0_count_13_value_3 when
-        to_integer(slice0shift_search_1_2(41 downto 41)) = 1 else slice0cost_pixels_first_1_0_count_13_value_3;
-      slice0cost_pixels_first_1_2_count_13_choice_3 := not slice0cost_pixels_first_1_0_count_13_value_5 when
-        to_integer(slice0shift_search_1_2(40 downto 40)) = 1 else slice0cost_pixels_first_1_0_count_13_value_5;
-      slice0cost_pixels_first_1_2_count_14_choice := not slice0cost_pixels_first_1_0_count_14_value when
-        to_integer(slice0shift_search_1_2(42 downto 42)) = 1 else slice0cost_pixels_first_1_0_count_14_value;
-      slice0cost_pixels_first_1_2_count_14_choice_2 := not slice0cost_pixels_first_1_0_count_14_value_3 when
-        to_integer(slice0shift_search_1_2(44 downto 44)) = 1 else slice0cost_pixels_first_1_0_count_14_value_3;
-      slice0cost_pixels_first_1_2_count_14_choice_3 := not slice0cost_pixels_first_1_0_count_14_value_5 when
-        to_integer(slice0shift_search_1_2(43 downto 43)) = 1 else slice0cost_pixels_first_1_0_count_14_value_5;
-      slice0cost_pixels_first_1_2_count_15_choice := not slice0cost_pixels_first_1_0_count_15_value when
-        to_integer(slice0shift_search_1_2(45 downto 45)) = 1 else slice0cost_pixels_first_1_0_count_15_value;
-      slice0cost_pixels_first_1_2_count_15_choice_2 := not slice0cost_pixels_first_1_0_count_15_value_3 when
-        to_integer(slice0shift_search_1_2(47 downto 47)) = 1 else slice0cost_pixels_first_1_0_count_15_value_3;
-      slice0cost_pixels_first_1_2_count_15_choice_3 := not slice0cost_pixels_first_1_0_count_15_value_5 when
-        to_integer(slice0shift_search_1_2(46 downto 46)) = 1 else slice0cost_pixels_first_1_0_count_15_value_5;
-      slice0cost_pixels_first_1_2_count_16_choice := not slice0cost_pixels_first_1_0_count_16_value when
-        to_integer(slice0shift_search_1_2(48 downto 48)) = 1 else slice0cost_pixels_first_1_0_count_16_value;
-      slice0cost_pixels_first_1_2_count_16_choice_2 := not slice0cost_pixels_first_1_0_count_16_value_3 when
-        to_integer(slice0shift_search_1_2(50 downto 50)) = 1 else slice0cost_pixels_first_1_0_count_16_value_3;
-      slice0cost_pixels_first_1_2_count_16_choice_3 := not slice0cost_pixels_first_1_0_count_16_value_5 when
-        to_integer(slice0shift_search_1_2(49 downto 49)) = 1 else slice0cost_pixels_first_1_0_count_16_value_5;
-      slice0cost_pixels_first_1_2_count_17_choice := not slice0cost_pixels_first_1_0_count_17_value when
-        to_integer(slice0shift_search_1_2(51 downto 51)) = 1 else slice0cost_pixels_first_1_0_count_17_value;
-      slice0cost_pixels_first_1_2_count_17_choice_2 := not slice0cost_pixels_first_1_0_count_17_value_3 when
-        to_integer(slice0shift_search_1_2(53 downto 53)) = 1 else slice0cost_pixels_first_1_0_count_17_value_3;
-      slice0cost_pixels_first_1_2_count_17_choice_3 := not slice0cost_pixels_first_1_0_count_17_value_5 when
-        to_integer(slice0shift_search_1_2(52 downto 52)) = 1 else slice0cost_pixels_first_1_0_count_17_value_5;
-      slice0cost_pixels_first_1_2_count_18_choice := not slice0cost_pixels_first_1_0_count_18_value when
-        to_integer(slice0shift_search_1_2(54 downto 54)) = 1 else slice0cost_pixels_first_1_0_count_18_value;
-      slice0cost_pixels_first_1_2_count_18_choice_2 := not slice0cost_pixels_first_1_0_count_18_value_3 when
-        to_integer(slice0shift_search_1_2(56 downto 56)) = 1 else slice0cost_pixels_first_1_0_count_18_value_3;
-      slice0cost_pixels_first_1_2_count_18_choice_3 := not slice0cost_pixels_first_1_0_count_18_value_5 when
-        to_integer(slice0shift_search_1_2(55 downto 55)) = 1 else slice0cost_pixels_first_1_0_count_18_value_5;
-      slice0cost_pixels_first_1_2_count_19_choice := not slice0cost_pixels_first_1_0_count_19_value when
-        to_integer(slice0shift_search_1_2(57 downto 57)) = 1 else slice0cost_pixels_first_1_0_count_19_value;
-      slice0cost_pixels_first_1_2_count_19_choice_2 := not slice0cost_pixels_first_1_0_count_19_value_3 when
-        to_integer(slice0shift_search_1_2(59 downto 59)) = 1 else slice0cost_pixels_first_1_0_count_19_value_3;
-      slice0cost_pixels_first_1_2_count_19_choice_3 := not slice0cost_pixels_first_1_0_count_19_value_5 when
-        to_integer(slice0shift_search_1_2(58 downto 58)) = 1 else slice0cost_pixels_first_1_0_count_19_value_5;
-      slice0cost_pixels_first_1_2_count_20_choice := not (to_integer(slice0shift_reference_1(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_1_2(61 downto 61)) = 1 else to_integer(slice0shift_reference_1(61 downto 61)) = 1;
-      slice0cost_pixels_first_1_2_count_20_choice_2 := not slice0cost_pixels_first_1_0_count_20_value when
-        to_integer(slice0shift_search_1_2(60 downto 60)) = 1 else slice0cost_pixels_first_1_0_count_20_value;
-      slice0cost_pixels_first_1_3_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        to_integer(slice0shift_search_1_3(2 downto 2)) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_3_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        to_integer(slice0shift_search_1_3(1 downto 1)) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        to_integer(slice0shift_search_1_3(3 downto 3)) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_3_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        to_integer(slice0shift_search_1_3(5 downto 5)) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        to_integer(slice0shift_search_1_3(4 downto 4)) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_3_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        to_integer(slice0shift_search_1_3(8 downto 8)) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_3_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        to_integer(slice0shift_search_1_3(6 downto 6)) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        to_integer(slice0shift_search_1_3(9 downto 9)) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_3_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        to_integer(slice0shift_search_1_3(11 downto 11)) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        to_integer(slice0shift_search_1_3(10 downto 10)) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_3_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        to_integer(slice0shift_search_1_3(12 downto 12)) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_3_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        to_integer(slice0shift_search_1_3(14 downto 14)) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_3_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        to_integer(slice0shift_search_1_3(13 downto 13)) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_3_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        to_integer(slice0shift_search_1_3(15 downto 15)) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_3_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        to_integer(slice0shift_search_1_3(17 downto 17)) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_3_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        to_integer(slice0shift_search_1_3(16 downto 16)) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_3_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        to_integer(slice0shift_search_1_3(18 downto 18)) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_3_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        to_integer(slice0shift_search_1_3(20 downto 20)) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_3_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        to_integer(slice0shift_search_1_3(19 downto 19)) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_3_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        to_integer(slice0shift_search_1_3(21 downto 21)) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_3_count_7_choice_2 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        to_integer(slice0shift_search_1_3(23 downto 23)) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_3_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_5 when
-        to_integer(slice0shift_search_1_3(22 downto 22)) = 1 else slice0cost_pixels_first_1_0_count_7_value_5;
-      slice0cost_pixels_first_1_3_count_8_choice := not slice0cost_pixels_first_1_0_count_8_value when
-        to_integer(slice0shift_search_1_3(24 downto 24)) = 1 else slice0cost_pixels_first_1_0_count_8_value;
-      slice0cost_pixels_first_1_3_count_8_choice_2 := not slice0cost_pixels_first_1_0_count_8_value_3 when
-        to_integer(slice0shift_search_1_3(26 downto 26)) = 1 else slice0cost_pixels_first_1_0_count_8_value_3;
-      slice0cost_pixels_first_1_3_count_8_choice_3 := not slice0cost_pixels_first_1_0_count_8_value_5 when
-        to_integer(slice0shift_search_1_3(25 downto 25)) = 1 else slice0cost_pixels_first_1_0_count_8_value_5;
-      slice0cost_pixels_first_1_3_count_9_choice := not slice0cost_pixels_first_1_0_count_9_value when
-        to_integer(slice0shift_search_1_3(27 downto 27)) = 1 else slice0cost_pixels_first_1_0_count_9_value;
-      slice0cost_pixels_first_1_3_count_9_choice_2 := not slice0cost_pixels_first_1_0_count_9_value_3 when
-        to_integer(slice0shift_search_1_3(29 downto 29)) = 1 else slice0cost_pixels_first_1_0_count_9_value_3;
-      slice0cost_pixels_first_1_3_count_9_choice_3 := not slice0cost_pixels_first_1_0_count_9_value_5 when
-        to_integer(slice0shift_search_1_3(28 downto 28)) = 1 else slice0cost_pixels_first_1_0_count_9_value_5;
-      slice0cost_pixels_first_1_3_count_10_choice := not slice0cost_pixels_first_1_0_count_10_value when
-        to_integer(slice0shift_search_1_3(30 downto 30)) = 1 else slice0cost_pixels_first_1_0_count_10_value;
-      slice0cost_pixels_first_1_3_count_10_choice_2 := not slice0cost_pixels_first_1_0_count_10_value_3 when
-        to_integer(slice0shift_search_1_3(32 downto 32)) = 1 else slice0cost_pixels_first_1_0_count_10_value_3;
-      slice0cost_pixels_first_1_3_count_10_choice_3 := not slice0cost_pixels_first_1_0_count_10_value_5 when
-        to_integer(slice0shift_search_1_3(31 downto 31)) = 1 else slice0cost_pixels_first_1_0_count_10_value_5;
-      slice0cost_pixels_first_1_3_count_11_choice := not slice0cost_pixels_first_1_0_count_11_value when
-        to_integer(slice0shift_search_1_3(33 downto 33)) = 1 else slice0cost_pixels_first_1_0_count_11_value;
-      slice0cost_pixels_first_1_3_count_11_choice_2 := not slice0cost_pixels_first_1_0_count_11_value_3 when
-        to_integer(slice0shift_search_1_3(35 downto 35)) = 1 else slice0cost_pixels_first_1_0_count_11_value_3;
-      slice0cost_pixels_first_1_3_count_11_choice_3 := not slice0cost_pixels_first_1_0_count_11_value_5 when
-        to_integer(slice0shift_search_1_3(34 downto 34)) = 1 else slice0cost_pixels_first_1_0_count_11_value_5;
-      slice0cost_pixels_first_1_3_count_12_choice := not slice0cost_pixels_first_1_0_count_12_value when
-        to_integer(slice0shift_search_1_3(36 downto 36)) = 1 else slice0cost_pixels_first_1_0_count_12_value;
-      slice0cost_pixels_first_1_3_count_12_choice_2 := not slice0cost_pixels_first_1_0_count_12_value_3 when
-        to_integer(slice0shift_search_1_3(38 downto 38)) = 1 else slice0cost_pixels_first_1_0_count_12_value_3;
-      slice0cost_pixels_first_1_3_count_12_choice_3 := not slice0cost_pixels_first_1_0_count_12_value_5 when
-        to_integer(slice0shift_search_1_3(37 downto 37)) = 1 else slice0cost_pixels_first_1_0_count_12_value_5;
-      slice0cost_pixels_first_1_3_count_13_choice := not slice0cost_pixels_first_1_0_count_13_value when
-        to_integer(slice0shift_search_1_3(39 downto 39)) = 1 else slice0cost_pixels_first_1_0_count_13_value;
-      slice0cost_pixels_first_1_3_count_13_choice_2 := not slice0cost_pixels_first_1_0_count_13_value_3 when
-        to_integer(slice0shift_search_1_3(41 downto 41)) = 1 else slice0cost_pixels_first_1_0_count_13_value_3;
-      slice0cost_pixels_first_1_3_count_13_choice_3 := not slice0cost_pixels_first_1_0_count_13_value_5 when
-        to_integer(slice0shift_search_1_3(40 downto 40)) = 1 else slice0cost_pixels_first_1_0_count_13_value_5;
-      slice0cost_pixels_first_1_3_count_14_choice := not slice0cost_pixels_first_1_0_count_14_value when
-        to_integer(slice0shift_search_1_3(42 downto 42)) = 1 else slice0cost_pixels_first_1_0_count_14_value;
-      slice0cost_pixels_first_1_3_count_14_choice_2 := not slice0cost_pixels_first_1_0_count_14_value_3 when
-        to_integer(slice0shift_search_1_3(44 downto 44)) = 1 else slice0cost_pixels_first_1_0_count_14_value_3;
-      slice0cost_pixels_first_1_3_count_14_choice_3 := not slice0cost_pixels_first_1_0_count_14_value_5 when
-        to_integer(slice0shift_search_1_3(43 downto 43)) = 1 else slice0cost_pixels_first_1_0_count_14_value_5;
-      slice0cost_pixels_first_1_3_count_15_choice := not slice0cost_pixels_first_1_0_count_15_value when
-        to_integer(slice0shift_search_1_3(45 downto 45)) = 1 else slice0cost_pixels_first_1_0_count_15_value;
-      slice0cost_pixels_first_1_3_count_15_choice_2 := not slice0cost_pixels_first_1_0_count_15_value_3 when
-        to_integer(slice0shift_search_1_3(47 downto 47)) = 1 else slice0cost_pixels_first_1_0_count_15_value_3;
-      slice0cost_pixels_first_1_3_count_15_choice_3 := not slice0cost_pixels_first_1_0_count_15_value_5 when
-        to_integer(slice0shift_search_1_3(46 downto 46)) = 1 else slice0cost_pixels_first_1_0_count_15_value_5;
-      slice0cost_pixels_first_1_3_count_16_choice := not slice0cost_pixels_first_1_0_count_16_value when
-        to_integer(slice0shift_search_1_3(48 downto 48)) = 1 else slice0cost_pixels_first_1_0_count_16_value;
-      slice0cost_pixels_first_1_3_count_16_choice_2 := not slice0cost_pixels_first_1_0_count_16_value_3 when
-        to_integer(slice0shift_search_1_3(50 downto 50)) = 1 else slice0cost_pixels_first_1_0_count_16_value_3;
-      slice0cost_pixels_first_1_3_count_16_choice_3 := not slice0cost_pixels_first_1_0_count_16_value_5 when
-        to_integer(slice0shift_search_1_3(49 downto 49)) = 1 else slice0cost_pixels_first_1_0_count_16_value_5;
-      slice0cost_pixels_first_1_3_count_17_choice := not slice0cost_pixels_first_1_0_count_17_value when
-        to_integer(slice0shift_search_1_3(51 downto 51)) = 1 else slice0cost_pixels_first_1_0_count_17_value;
-      slice0cost_pixels_first_1_3_count_17_choice_2 := not slice0cost_pixels_first_1_0_count_17_value_3 when
-        to_integer(slice0shift_search_1_3(53 downto 53)) = 1 else slice0cost_pixels_first_1_0_count_17_value_3;
-      slice0cost_pixels_first_1_3_count_17_choice_3 := not slice0cost_pixels_first_1_0_count_17_value_5 when
-        to_integer(slice0shift_search_1_3(52 downto 52)) = 1 else slice0cost_pixels_first_1_0_count_17_value_5;
-      slice0cost_pixels_first_1_3_count_18_choice := not slice0cost_pixels_first_1_0_count_18_value when
-        to_integer(slice0shift_search_1_3(54 downto 54)) = 1 else slice0cost_pixels_first_1_0_count_18_value;
-      slice0cost_pixels_first_1_3_count_18_choice_2 := not slice0cost_pixels_first_1_0_count_18_value_3 when
-        to_integer(slice0shift_search_1_3(56 downto 56)) = 1 else slice0cost_pixels_first_1_0_count_18_value_3;
-      slice0cost_pixels_first_1_3_count_18_choice_3 := not slice0cost_pixels_first_1_0_count_18_value_5 when
-        to_integer(slice0shift_search_1_3(55 downto 55)) = 1 else slice0cost_pixels_first_1_0_count_18_value_5;
-      slice0cost_pixels_first_1_3_count_19_choice := not slice0cost_pixels_first_1_0_count_19_value when
-        to_integer(slice0shift_search_1_3(57 downto 57)) = 1 else slice0cost_pixels_first_1_0_count_19_value;
-      slice0cost_pixels_first_1_3_count_19_choice_2 := not slice0cost_pixels_first_1_0_count_19_value_3 when
-        to_integer(slice0shift_search_1_3(59 downto 59)) = 1 else slice0cost_pixels_first_1_0_count_19_value_3;
-      slice0cost_pixels_first_1_3_count_19_choice_3 := not slice0cost_pixels_first_1_0_count_19_value_5 when
-        to_integer(slice0shift_search_1_3(58 downto 58)) = 1 else slice0cost_pixels_first_1_0_count_19_value_5;
-      slice0cost_pixels_first_1_3_count_20_choice := not (to_integer(slice0shift_reference_1(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_1_3(61 downto 61)) = 1 else to_integer(slice0shift_reference_1(61 downto 61)) = 1;
-      slice0cost_pixels_first_1_3_count_20_choice_2 := not slice0cost_pixels_first_1_0_count_20_value when
-        to_integer(slice0shift_search_1_3(60 downto 60)) = 1 else slice0cost_pixels_first_1_0_count_20_value;
-      slice0cost_pixels_first_1_4_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        to_integer(slice0shift_search_1_4(2 downto 2)) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_4_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        to_integer(slice0shift_search_1_4(1 downto 1)) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        to_integer(slice0shift_search_1_4(3 downto 3)) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_4_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        to_integer(slice0shift_search_1_4(5 downto 5)) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        to_integer(slice0shift_search_1_4(4 downto 4)) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_4_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        to_integer(slice0shift_search_1_4(8 downto 8)) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_4_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        to_integer(slice0shift_search_1_4(6 downto 6)) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        to_integer(slice0shift_search_1_4(9 downto 9)) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_4_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        to_integer(slice0shift_search_1_4(11 downto 11)) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        to_integer(slice0shift_search_1_4(10 downto 10)) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_4_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        to_integer(slice0shift_search_1_4(12 downto 12)) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_4_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        to_integer(slice0shift_search_1_4(14 downto 14)) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_4_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        to_integer(slice0shift_search_1_4(13 downto 13)) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_4_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        to_integer(slice0shift_search_1_4(15 downto 15)) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_4_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        to_integer(slice0shift_search_1_4(17 downto 17)) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_4_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        to_integer(slice0shift_search_1_4(16 downto 16)) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_4_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        to_integer(slice0shift_search_1_4(18 downto 18)) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_4_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        to_integer(slice0shift_search_1_4(20 downto 20)) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_4_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        to_integer(slice0shift_search_1_4(19 downto 19)) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_4_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        to_integer(slice0shift_search_1_4(21 downto 21)) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_4_count_7_choice_2 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        to_integer(slice0shift_search_1_4(23 downto 23)) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_4_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_5 when
-        to_integer(slice0shift_search_1_4(22 downto 22)) = 1 else slice0cost_pixels_first_1_0_count_7_value_5;
-      slice0cost_pixels_first_1_4_count_8_choice := not slice0cost_pixels_first_1_0_count_8_value when
-        to_integer(slice0shift_search_1_4(24 downto 24)) = 1 else slice0cost_pixels_first_1_0_count_8_value;
-      slice0cost_pixels_first_1_4_count_8_choice_2 := not slice0cost_pixels_first_1_0_count_8_value_3 when
-        to_integer(slice0shift_search_1_4(26 downto 26)) = 1 else slice0cost_pixels_first_1_0_count_8_value_3;
-      slice0cost_pixels_first_1_4_count_8_choice_3 := not slice0cost_pixels_first_1_0_count_8_value_5 when
-        to_integer(slice0shift_search_1_4(25 downto 25)) = 1 else slice0cost_pixels_first_1_0_count_8_value_5;
-      slice0cost_pixels_first_1_4_count_9_choice := not slice0cost_pixels_first_1_0_count_9_value when
-        to_integer(slice0shift_search_1_4(27 downto 27)) = 1 else slice0cost_pixels_first_1_0_count_9_value;
-      slice0cost_pixels_first_1_4_count_9_choice_2 := not slice0cost_pixels_first_1_0_count_9_value_3 when
-        to_integer(slice0shift_search_1_4(29 downto 29)) = 1 else slice0cost_pixels_first_1_0_count_9_value_3;
-      slice0cost_pixels_first_1_4_count_9_choice_3 := not slice0cost_pixels_first_1_0_count_9_value_5 when
-        to_integer(slice0shift_search_1_4(28 downto 28)) = 1 else slice0cost_pixels_first_1_0_count_9_value_5;
-      slice0cost_pixels_first_1_4_count_10_choice := not slice0cost_pixels_first_1_0_count_10_value when
-        to_integer(slice0shift_search_1_4(30 downto 30)) = 1 else slice0cost_pixels_first_1_0_count_10_value;
-      slice0cost_pixels_first_1_4_count_10_choice_2 := not slice0cost_pixels_first_1_0_count_10_value_3 when
-        to_integer(slice0shift_search_1_4(32 downto 32)) = 1 else slice0cost_pixels_first_1_0_count_10_value_3;
-      slice0cost_pixels_first_1_4_count_10_choice_3 := not slice0cost_pixels_first_1_0_count_10_value_5 when
-        to_integer(slice0shift_search_1_4(31 downto 31)) = 1 else slice0cost_pixels_first_1_0_count_10_value_5;
-      slice0cost_pixels_first_1_4_count_11_choice := not slice0cost_pixels_first_1_0_count_11_value when
-        to_integer(slice0shift_search_1_4(33 downto 33)) = 1 else slice0cost_pixels_first_1_0_count_11_value;
-      slice0cost_pixels_first_1_4_count_11_choice_2 := not slice0cost_pixels_first_1_0_count_11_value_3 when
-        to_integer(slice0shift_search_1_4(35 downto 35)) = 1 else slice0cost_pixels_first_1_0_count_11_value_3;
-      slice0cost_pixels_first_1_4_count_11_choice_3 := not slice0cost_pixels_first_1_0_count_11_value_5 when
-        to_integer(slice0shift_search_1_4(34 downto 34)) = 1 else slice0cost_pixels_first_1_0_count_11_value_5;
-      slice0cost_pixels_first_1_4_count_12_choice := not slice0cost_pixels_first_1_0_count_12_value when
-        to_integer(slice0shift_search_1_4(36 downto 36)) = 1 else slice0cost_pixels_first_1_0_count_12_value;
-      slice0cost_pixels_first_1_4_count_12_choice_2 := not slice0cost_pixels_first_1_0_count_12_value_3 when
-        to_integer(slice0shift_search_1_4(38 downto 38)) = 1 else slice0cost_pixels_first_1_0_count_12_value_3;
-      slice0cost_pixels_first_1_4_count_12_choice_3 := not slice0cost_pixels_first_1_0_count_12_value_5 when
-        to_integer(slice0shift_search_1_4(37 downto 37)) = 1 else slice0cost_pixels_first_1_0_count_12_value_5;
-      slice0cost_pixels_first_1_4_count_13_choice := not slice0cost_pixels_first_1_0_count_13_value when
-        to_integer(slice0shift_search_1_4(39 downto 39)) = 1 else slice0cost_pixels_first_1_0_count_13_value;
-      slice0cost_pixels_first_1_4_count_13_choice_2 := not slice0cost_pixels_first_1_0_count_13_value_3 when
-        to_integer(slice0shift_search_1_4(41 downto 41)) = 1 else slice0cost_pixels_first_1_0_count_13_value_3;
-      slice0cost_pixels_first_1_4_count_13_choice_3 := not slice0cost_pixels_first_1_0_count_13_value_5 when
-        to_integer(slice0shift_search_1_4(40 downto 40)) = 1 else slice0cost_pixels_first_1_0_count_13_value_5;
-      slice0cost_pixels_first_1_4_count_14_choice := not slice0cost_pixels_first_1_0_count_14_value when
-        to_integer(slice0shift_search_1_4(42 downto 42)) = 1 else slice0cost_pixels_first_1_0_count_14_value;
-      slice0cost_pixels_first_1_4_count_14_choice_2 := not slice0cost_pixels_first_1_0_count_14_value_3 when
-        to_integer(slice0shift_search_1_4(44 downto 44)) = 1 else slice0cost_pixels_first_1_0_count_14_value_3;
-      slice0cost_pixels_first_1_4_count_14_choice_3 := not slice0cost_pixels_first_1_0_count_14_value_5 when
-        to_integer(slice0shift_search_1_4(43 downto 43)) = 1 else slice0cost_pixels_first_1_0_count_14_value_5;
-      slice0cost_pixels_first_1_4_count_15_choice := not slice0cost_pixels_first_1_0_count_15_value when
-        to_integer(slice0shift_search_1_4(45 downto 45)) = 1 else slice0cost_pixels_first_1_0_count_15_value;
-      slice0cost_pixels_first_1_4_count_15_choice_2 := not slice0cost_pixels_first_1_0_count_15_value_3 when
-        to_integer(slice0shift_search_1_4(47 downto 47)) = 1 else slice0cost_pixels_first_1_0_count_15_value_3;
-      slice0cost_pixels_first_1_4_count_15_choice_3 := not slice0cost_pixels_first_1_0_count_15_value_5 when
-        to_integer(slice0shift_search_1_4(46 downto 46)) = 1 else slice0cost_pixels_first_1_0_count_15_value_5;
-      slice0cost_pixels_first_1_4_count_16_choice := not slice0cost_pixels_first_1_0_count_16_value when
-        to_integer(slice0shift_search_1_4(48 downto 48)) = 1 else slice0cost_pixels_first_1_0_count_16_value;
-      slice0cost_pixels_first_1_4_count_16_choice_2 := not slice0cost_pixels_first_1_0_count_16_value_3 when
-        to_integer(slice0shift_search_1_4(50 downto 50)) = 1 else slice0cost_pixels_first_1_0_count_16_value_3;
-      slice0cost_pixels_first_1_4_count_16_choice_3 := not slice0cost_pixels_first_1_0_count_16_value_5 when
-        to_integer(slice0shift_search_1_4(49 downto 49)) = 1 else slice0cost_pixels_first_1_0_count_16_value_5;
-      slice0cost_pixels_first_1_4_count_17_choice := not slice0cost_pixels_first_1_0_count_17_value when
-        to_integer(slice0shift_search_1_4(51 downto 51)) = 1 else slice0cost_pixels_first_1_0_count_17_value;
-      slice0cost_pixels_first_1_4_count_17_choice_2 := not slice0cost_pixels_first_1_0_count_17_value_3 when
-        to_integer(slice0shift_search_1_4(53 downto 53)) = 1 else slice0cost_pixels_first_1_0_count_17_value_3;
-      slice0cost_pixels_first_1_4_count_17_choice_3 := not slice0cost_pixels_first_1_0_count_17_value_5 when
-        to_integer(slice0shift_search_1_4(52 downto 52)) = 1 else slice0cost_pixels_first_1_0_count_17_value_5;
-      slice0cost_pixels_first_1_4_count_18_choice := not slice0cost_pixels_first_1_0_count_18_value when
-        to_integer(slice0shift_search_1_4(54 downto 54)) = 1 else slice0cost_pixels_first_1_0_count_18_value;
-      slice0cost_pixels_first_1_4_count_18_choice_2 := not slice0cost_pixels_first_1_0_count_18_value_3 when
-        to_integer(slice0shift_search_1_4(56 downto 56)) = 1 else slice0cost_pixels_first_1_0_count_18_value_3;
-      slice0cost_pixels_first_1_4_count_18_choice_3 := not slice0cost_pixels_first_1_0_count_18_value_5 when
-        to_integer(slice0shift_search_1_4(55 downto 55)) = 1 else slice0cost_pixels_first_1_0_count_18_value_5;
-      slice0cost_pixels_first_1_4_count_19_choice := not slice0cost_pixels_first_1_0_count_19_value when
-        to_integer(slice0shift_search_1_4(57 downto 57)) = 1 else slice0cost_pixels_first_1_0_count_19_value;
-      slice0cost_pixels_first_1_4_count_19_choice_2 := not slice0cost_pixels_first_1_0_count_19_value_3 when
-        to_integer(slice0shift_search_1_4(59 downto 59)) = 1 else slice0cost_pixels_first_1_0_count_19_value_3;
-      slice0cost_pixels_first_1_4_count_19_choice_3 := not slice0cost_pixels_first_1_0_count_19_value_5 when
-        to_integer(slice0shift_search_1_4(58 downto 58)) = 1 else slice0cost_pixels_first_1_0_count_19_value_5;
-      slice0cost_pixels_first_1_4_count_20_choice := not (to_integer(slice0shift_reference_1(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_1_4(61 downto 61)) = 1 else to_integer(slice0shift_reference_1(61 downto 61)) = 1;
-      slice0cost_pixels_first_1_4_count_20_choice_2 := not slice0cost_pixels_first_1_0_count_20_value when
-        to_integer(slice0shift_search_1_4(60 downto 60)) = 1 else slice0cost_pixels_first_1_0_count_20_value;
       slice0cost_pixels_first_2_0_count_0_value := to_integer(slice0shift_reference_2(2 downto 2)) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := to_integer(slice0shift_search_2_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := to_integer(slice0shift_reference_2(1 downto 1)) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := to_integer(slice0shift_search_2_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := to_integer(slice0shift_reference_2(1 downto 1)) = 1;
       slice0cost_pixels_first_2_0_count_1_value := to_integer(slice0shift_reference_2(3 downto 3)) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := to_integer(slice0shift_search_2_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := to_integer(slice0shift_reference_2(5 downto 5)) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := to_integer(slice0shift_search_2_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := to_integer(slice0shift_reference_2(4 downto 4)) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := to_integer(slice0shift_search_2_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := to_integer(slice0shift_reference_2(5 downto 5)) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := to_integer(slice0shift_reference_2(4 downto 4)) = 1;
       slice0cost_pixels_first_2_0_count_2_value := to_integer(slice0shift_reference_2(8 downto 8)) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := to_integer(slice0shift_search_2_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := to_integer(slice0shift_reference_2(6 downto 6)) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := to_integer(slice0shift_search_2_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := to_integer(slice0shift_reference_2(6 downto 6)) = 1;
       slice0cost_pixels_first_2_0_count_3_value := to_integer(slice0shift_reference_2(9 downto 9)) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := to_integer(slice0shift_search_2_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := to_integer(slice0shift_reference_2(11 downto 11)) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := to_integer(slice0shift_search_2_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := to_integer(slice0shift_reference_2(10 downto 10)) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := to_integer(slice0shift_search_2_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := to_integer(slice0shift_reference_2(11 downto 11)) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := to_integer(slice0shift_reference_2(10 downto 10)) = 1;
       slice0cost_pixels_first_2_0_count_4_value := to_integer(slice0shift_reference_2(12 downto 12)) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := to_integer(slice0shift_search_2_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := to_integer(slice0shift_reference_2(14 downto 14)) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := to_integer(slice0shift_search_2_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := to_integer(slice0shift_reference_2(13 downto 13)) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := to_integer(slice0shift_search_2_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := to_integer(slice0shift_reference_2(14 downto 14)) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := to_integer(slice0shift_reference_2(13 downto 13)) = 1;
       slice0cost_pixels_first_2_0_count_5_value := to_integer(slice0shift_reference_2(15 downto 15)) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := to_integer(slice0shift_search_2_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := to_integer(slice0shift_reference_2(17 downto 17)) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := to_integer(slice0shift_search_2_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := to_integer(slice0shift_reference_2(16 downto 16)) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := to_integer(slice0shift_search_2_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := to_integer(slice0shift_reference_2(17 downto 17)) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := to_integer(slice0shift_reference_2(16 downto 16)) = 1;
       slice0cost_pixels_first_2_0_count_6_value := to_integer(slice0shift_reference_2(18 downto 18)) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := to_integer(slice0shift_search_2_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := to_integer(slice0shift_reference_2(20 downto 20)) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := to_integer(slice0shift_search_2_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := to_integer(slice0shift_reference_2(19 downto 19)) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := to_integer(slice0shift_search_2_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := to_integer(slice0shift_reference_2(20 downto 20)) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := to_integer(slice0shift_reference_2(19 downto 19)) = 1;
       slice0cost_pixels_first_2_0_count_7_value := to_integer(slice0shift_reference_2(21 downto 21)) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := to_integer(slice0shift_search_2_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_value_3 := to_integer(slice0shift_reference_2(23 downto 23)) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := to_integer(slice0shift_search_2_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_0_count_7_value_5 := to_integer(slice0shift_reference_2(22 downto 22)) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_6 := to_integer(slice0shift_search_2_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_6 when
-        slice0cost_pixels_first_2_0_count_7_value_5 else slice0cost_pixels_first_2_0_count_7_value_6;
+      slice0cost_pixels_first_2_0_count_7_value_2 := to_integer(slice0shift_reference_2(23 downto 23)) = 1;
+      slice0cost_pixels_first_2_0_count_7_value_3 := to_integer(slice0shift_reference_2(22 downto 22)) = 1;
       slice0cost_pixels_first_2_0_count_8_value := to_integer(slice0shift_reference_2(24 downto 24)) = 1;
-      slice0cost_pixels_first_2_0_count_8_value_2 := to_integer(slice0shift_search_2_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_2_0_count_8_choice := not slice0cost_pixels_first_2_0_count_8_value_2 when
-        slice0cost_pixels_first_2_0_count_8_value else slice0cost_pixels_first_2_0_count_8_value_2;
-      slice0cost_pixels_first_2_0_count_8_value_3 := to_integer(slice0shift_reference_2(26 downto 26)) = 1;
-      slice0cost_pixels_first_2_0_count_8_value_4 := to_integer(slice0shift_search_2_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_2_0_count_8_choice_2 := not slice0cost_pixels_first_2_0_count_8_value_4 when
-        slice0cost_pixels_first_2_0_count_8_value_3 else slice0cost_pixels_first_2_0_count_8_value_4;
-      slice0cost_pixels_first_2_0_count_8_value_5 := to_integer(slice0shift_reference_2(25 downto 25)) = 1;
-      slice0cost_pixels_first_2_0_count_8_value_6 := to_integer(slice0shift_search_2_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_2_0_count_8_choice_3 := not slice0cost_pixels_first_2_0_count_8_value_6 when
-        slice0cost_pixels_first_2_0_count_8_value_5 else slice0cost_pixels_first_2_0_count_8_value_6;
+      slice0cost_pixels_first_2_0_count_8_value_2 := to_integer(slice0shift_reference_2(26 downto 26)) = 1;
+      slice0cost_pixels_first_2_0_count_8_value_3 := to_integer(slice0shift_reference_2(25 downto 25)) = 1;
       slice0cost_pixels_first_2_0_count_9_value := to_integer(slice0shift_reference_2(27 downto 27)) = 1;
-      slice0cost_pixels_first_2_0_count_9_value_2 := to_integer(slice0shift_search_2_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_2_0_count_9_choice := not slice0cost_pixels_first_2_0_count_9_value_2 when
-        slice0cost_pixels_first_2_0_count_9_value else slice0cost_pixels_first_2_0_count_9_value_2;
-      slice0cost_pixels_first_2_0_count_9_value_3 := to_integer(slice0shift_reference_2(29 downto 29)) = 1;
-      slice0cost_pixels_first_2_0_count_9_value_4 := to_integer(slice0shift_search_2_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_2_0_count_9_choice_2 := not slice0cost_pixels_first_2_0_count_9_value_4 when
-        slice0cost_pixels_first_2_0_count_9_value_3 else slice0cost_pixels_first_2_0_count_9_value_4;
-      slice0cost_pixels_first_2_0_count_9_value_5 := to_integer(slice0shift_reference_2(28 downto 28)) = 1;
-      slice0cost_pixels_first_2_0_count_9_value_6 := to_integer(slice0shift_search_2_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_2_0_count_9_choice_3 := not slice0cost_pixels_first_2_0_count_9_value_6 when
-        slice0cost_pixels_first_2_0_count_9_value_5 else slice0cost_pixels_first_2_0_count_9_value_6;
+      slice0cost_pixels_first_2_0_count_9_value_2 := to_integer(slice0shift_reference_2(29 downto 29)) = 1;
+      slice0cost_pixels_first_2_0_count_9_value_3 := to_integer(slice0shift_reference_2(28 downto 28)) = 1;
       slice0cost_pixels_first_2_0_count_10_value := to_integer(slice0shift_reference_2(30 downto 30)) = 1;
-      slice0cost_pixels_first_2_0_count_10_value_2 := to_integer(slice0shift_search_2_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_2_0_count_10_choice := not slice0cost_pixels_first_2_0_count_10_value_2 when
-        slice0cost_pixels_first_2_0_count_10_value else slice0cost_pixels_first_2_0_count_10_value_2;
-      slice0cost_pixels_first_2_0_count_10_value_3 := to_integer(slice0shift_reference_2(32 downto 32)) = 1;
-      slice0cost_pixels_first_2_0_count_10_value_4 := to_integer(slice0shift_search_2_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_2_0_count_10_choice_2 := not slice0cost_pixels_first_2_0_count_10_value_4 when
-        slice0cost_pixels_first_2_0_count_10_value_3 else slice0cost_pixels_first_2_0_count_10_value_4;
-      slice0cost_pixels_first_2_0_count_10_value_5 := to_integer(slice0shift_reference_2(31 downto 31)) = 1;
-      slice0cost_pixels_first_2_0_count_10_value_6 := to_integer(slice0shift_search_2_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_2_0_count_10_choice_3 := not slice0cost_pixels_first_2_0_count_10_value_6 when
-        slice0cost_pixels_first_2_0_count_10_value_5 else slice0cost_pixels_first_2_0_count_10_value_6;
+      slice0cost_pixels_first_2_0_count_10_value_2 := to_integer(slice0shift_reference_2(32 downto 32)) = 1;
+      slice0cost_pixels_first_2_0_count_10_value_3 := to_integer(slice0shift_reference_2(31 downto 31)) = 1;
       slice0cost_pixels_first_2_0_count_11_value := to_integer(slice0shift_reference_2(33 downto 33)) = 1;
-      slice0cost_pixels_first_2_0_count_11_value_2 := to_integer(slice0shift_search_2_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_2_0_count_11_choice := not slice0cost_pixels_first_2_0_count_11_value_2 when
-        slice0cost_pixels_first_2_0_count_11_value else slice0cost_pixels_first_2_0_count_11_value_2;
-      slice0cost_pixels_first_2_0_count_11_value_3 := to_integer(slice0shift_reference_2(35 downto 35)) = 1;
-      slice0cost_pixels_first_2_0_count_11_value_4 := to_integer(slice0shift_search_2_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_2_0_count_11_choice_2 := not slice0cost_pixels_first_2_0_count_11_value_4 when
-        slice0cost_pixels_first_2_0_count_11_value_3 else slice0cost_pixels_first_2_0_count_11_value_4;
-      slice0cost_pixels_first_2_0_count_11_value_5 := to_integer(slice0shift_reference_2(34 downto 34)) = 1;
-      slice0cost_pixels_first_2_0_count_11_value_6 := to_integer(slice0shift_search_2_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_2_0_count_11_choice_3 := not slice0cost_pixels_first_2_0_count_11_value_6 when
-        slice0cost_pixels_first_2_0_count_11_value_5 else slice0cost_pixels_first_2_0_count_11_value_6;
+      slice0cost_pixels_first_2_0_count_11_value_2 := to_integer(slice0shift_reference_2(35 downto 35)) = 1;
+      slice0cost_pixels_first_2_0_count_11_value_3 := to_integer(slice0shift_reference_2(34 downto 34)) = 1;
       slice0cost_pixels_first_2_0_count_12_value := to_integer(slice0shift_reference_2(36 downto 36)) = 1;
-      slice0cost_pixels_first_2_0_count_12_value_2 := to_integer(slice0shift_search_2_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_2_0_count_12_choice := not slice0cost_pixels_first_2_0_count_12_value_2 when
-        slice0cost_pixels_first_2_0_count_12_value else slice0cost_pixels_first_2_0_count_12_value_2;
-      slice0cost_pixels_first_2_0_count_12_value_3 := to_integer(slice0shift_reference_2(38 downto 38)) = 1;
-      slice0cost_pixels_first_2_0_count_12_value_4 := to_integer(slice0shift_search_2_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_2_0_count_12_choice_2 := not slice0cost_pixels_first_2_0_count_12_value_4 when
-        slice0cost_pixels_first_2_0_count_12_value_3 else slice0cost_pixels_first_2_0_count_12_value_4;
-      slice0cost_pixels_first_2_0_count_12_value_5 := to_integer(slice0shift_reference_2(37 downto 37)) = 1;
-      slice0cost_pixels_first_2_0_count_12_value_6 := to_integer(slice0shift_search_2_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_2_0_count_12_choice_3 := not slice0cost_pixels_first_2_0_count_12_value_6 when
-        slice0cost_pixels_first_2_0_count_12_value_5 else slice0cost_pixels_first_2_0_count_12_value_6;
+      slice0cost_pixels_first_2_0_count_12_value_2 := to_integer(slice0shift_reference_2(38 downto 38)) = 1;
+      slice0cost_pixels_first_2_0_count_12_value_3 := to_integer(slice0shift_reference_2(37 downto 37)) = 1;
       slice0cost_pixels_first_2_0_count_13_value := to_integer(slice0shift_reference_2(39 downto 39)) = 1;
-      slice0cost_pixels_first_2_0_count_13_value_2 := to_integer(slice0shift_search_2_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_2_0_count_13_choice := not slice0cost_pixels_first_2_0_count_13_value_2 when
-        slice0cost_pixels_first_2_0_count_13_value else slice0cost_pixels_first_2_0_count_13_value_2;
-      slice0cost_pixels_first_2_0_count_13_value_3 := to_integer(slice0shift_reference_2(41 downto 41)) = 1;
-      slice0cost_pixels_first_2_0_count_13_value_4 := to_integer(slice0shift_search_2_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_2_0_count_13_choice_2 := not slice0cost_pixels_first_2_0_count_13_value_4 when
-        slice0cost_pixels_first_2_0_count_13_value_3 else slice0cost_pixels_first_2_0_count_13_value_4;
-      slice0cost_pixels_first_2_0_count_13_value_5 := to_integer(slice0shift_reference_2(40 downto 40)) = 1;
-      slice0cost_pixels_first_2_0_count_13_value_6 := to_integer(slice0shift_search_2_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_2_0_count_13_choice_3 := not slice0cost_pixels_first_2_0_count_13_value_6 when
-        slice0cost_pixels_first_2_0_count_13_value_5 else slice0cost_pixels_first_2_0_count_13_value_6;
+      slice0cost_pixels_first_2_0_count_13_value_2 := to_integer(slice0shift_reference_2(41 downto 41)) = 1;
+      slice0cost_pixels_first_2_0_count_13_value_3 := to_integer(slice0shift_reference_2(40 downto 40)) = 1;
       slice0cost_pixels_first_2_0_count_14_value := to_integer(slice0shift_reference_2(42 downto 42)) = 1;
-      slice0cost_pixels_first_2_0_count_14_value_2 := to_integer(slice0shift_search_2_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_2_0_count_14_choice := not slice0cost_pixels_first_2_0_count_14_value_2 when
-        slice0cost_pixels_first_2_0_count_14_value else slice0cost_pixels_first_2_0_count_14_value_2;
-      slice0cost_pixels_first_2_0_count_14_value_3 := to_integer(slice0shift_reference_2(44 downto 44)) = 1;
-      slice0cost_pixels_first_2_0_count_14_value_4 := to_integer(slice0shift_search_2_0(44 downto 44)) = 1;
-      slice0cost_pixels_first_2_0_count_14_choice_2 := not slice0cost_pixels_first_2_0_count_14_value_4 when
-        slice0cost_pixels_first_2_0_count_14_value_3 else slice0cost_pixels_first_2_0_count_14_value_4;
-      slice0cost_pixels_first_2_0_count_14_value_5 := to_integer(slice0shift_reference_2(43 downto 43)) = 1;
-      slice0cost_pixels_first_2_0_count_14_value_6 := to_integer(slice0shift_search_2_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_2_0_count_14_choice_3 := not slice0cost_pixels_first_2_0_count_14_value_6 when
-        slice0cost_pixels_first_2_0_count_14_value_5 else slice0cost_pixels_first_2_0_count_14_value_6;
+      slice0cost_pixels_first_2_0_count_14_value_2 := to_integer(slice0shift_reference_2(44 downto 44)) = 1;
+      slice0cost_pixels_first_2_0_count_14_value_3 := to_integer(slice0shift_reference_2(43 downto 43)) = 1;
       slice0cost_pixels_first_2_0_count_15_value := to_integer(slice0shift_reference_2(45 downto 45)) = 1;
-      slice0cost_pixels_first_2_0_count_15_value_2 := to_integer(slice0shift_search_2_0(45 downto 45)) = 1;
-      slice0cost_pixels_first_2_0_count_15_choice := not slice0cost_pixels_first_2_0_count_15_value_2 when
-        slice0cost_pixels_first_2_0_count_15_value else slice0cost_pixels_first_2_0_count_15_value_2;
-      slice0cost_pixels_first_2_0_count_15_value_3 := to_integer(slice0shift_reference_2(47 downto 47)) = 1;
-      slice0cost_pixels_first_2_0_count_15_value_4 := to_integer(slice0shift_search_2_0(47 downto 47)) = 1;
-      slice0cost_pixels_first_2_0_count_15_choice_2 := not slice0cost_pixels_first_2_0_count_15_value_4 when
-        slice0cost_pixels_first_2_0_count_15_value_3 else slice0cost_pixels_first_2_0_count_15_value_4;
-      slice0cost_pixels_first_2_0_count_15_value_5 := to_integer(slice0shift_reference_2(46 downto 46)) = 1;
-      slice0cost_pixels_first_2_0_count_15_value_6 := to_integer(slice0shift_search_2_0(46 downto 46)) = 1;
-      slice0cost_pixels_first_2_0_count_15_choice_3 := not slice0cost_pixels_first_2_0_count_15_value_6 when
-        slice0cost_pixels_first_2_0_count_15_value_5 else slice0cost_pixels_first_2_0_count_15_value_6;
+      slice0cost_pixels_first_2_0_count_15_value_2 := to_integer(slice0shift_reference_2(47 downto 47)) = 1;
+      slice0cost_pixels_first_2_0_count_15_value_3 := to_integer(slice0shift_reference_2(46 downto 46)) = 1;
       slice0cost_pixels_first_2_0_count_16_value := to_integer(slice0shift_reference_2(48 downto 48)) = 1;
-      slice0cost_pixels_first_2_0_count_16_value_2 := to_integer(slice0shift_search_2_0(48 downto 48)) = 1;
-      slice0cost_pixels_first_2_0_count_16_choice := not slice0cost_pixels_first_2_0_count_16_value_2 when
-        slice0cost_pixels_first_2_0_count_16_value else slice0cost_pixels_first_2_0_count_16_value_2;
-      slice0cost_pixels_first_2_0_count_16_value_3 := to_integer(slice0shift_reference_2(50 downto 50)) = 1;
-      slice0cost_pixels_first_2_0_count_16_value_4 := to_integer(slice0shift_search_2_0(50 downto 50)) = 1;
-      slice0cost_pixels_first_2_0_count_16_choice_2 := not slice0cost_pixels_first_2_0_count_16_value_4 when
-        slice0cost_pixels_first_2_0_count_16_value_3 else slice0cost_pixels_first_2_0_count_16_value_4;
-      slice0cost_pixels_first_2_0_count_16_value_5 := to_integer(slice0shift_reference_2(49 downto 49)) = 1;
-      slice0cost_pixels_first_2_0_count_16_value_6 := to_integer(slice0shift_search_2_0(49 downto 49)) = 1;
-      slice0cost_pixels_first_2_0_count_16_choice_3 := not slice0cost_pixels_first_2_0_count_16_value_6 when
-        slice0cost_pixels_first_2_0_count_16_value_5 else slice0cost_pixels_first_2_0_count_16_value_6;
+      slice0cost_pixels_first_2_0_count_16_value_2 := to_integer(slice0shift_reference_2(50 downto 50)) = 1;
+      slice0cost_pixels_first_2_0_count_16_value_3 := to_integer(slice0shift_reference_2(49 downto 49)) = 1;
       slice0cost_pixels_first_2_0_count_17_value := to_integer(slice0shift_reference_2(51 downto 51)) = 1;
-      slice0cost_pixels_first_2_0_count_17_value_2 := to_integer(slice0shift_search_2_0(51 downto 51)) = 1;
-      slice0cost_pixels_first_2_0_count_17_choice := not slice0cost_pixels_first_2_0_count_17_value_2 when
-        slice0cost_pixels_first_2_0_count_17_value else slice0cost_pixels_first_2_0_count_17_value_2;
-      slice0cost_pixels_first_2_0_count_17_value_3 := to_integer(slice0shift_reference_2(53 downto 53)) = 1;
-      slice0cost_pixels_first_2_0_count_17_value_4 := to_integer(slice0shift_search_2_0(53 downto 53)) = 1;
-      slice0cost_pixels_first_2_0_count_17_choice_2 := not slice0cost_pixels_first_2_0_count_17_value_4 when
-        slice0cost_pixels_first_2_0_count_17_value_3 else slice0cost_pixels_first_2_0_count_17_value_4;
-      slice0cost_pixels_first_2_0_count_17_value_5 := to_integer(slice0shift_reference_2(52 downto 52)) = 1;
-      slice0cost_pixels_first_2_0_count_17_value_6 := to_integer(slice0shift_search_2_0(52 downto 52)) = 1;
-      slice0cost_pixels_first_2_0_count_17_choice_3 := not slice0cost_pixels_first_2_0_count_17_value_6 when
-        slice0cost_pixels_first_2_0_count_17_value_5 else slice0cost_pixels_first_2_0_count_17_value_6;
+      slice0cost_pixels_first_2_0_count_17_value_2 := to_integer(slice0shift_reference_2(53 downto 53)) = 1;
+      slice0cost_pixels_first_2_0_count_17_value_3 := to_integer(slice0shift_reference_2(52 downto 52)) = 1;
       slice0cost_pixels_first_2_0_count_18_value := to_integer(slice0shift_reference_2(54 downto 54)) = 1;
-      slice0cost_pixels_first_2_0_count_18_value_2 := to_integer(slice0shift_search_2_0(54 downto 54)) = 1;
-      slice0cost_pixels_first_2_0_count_18_choice := not slice0cost_pixels_first_2_0_count_18_value_2 when
-        slice0cost_pixels_first_2_0_count_18_value else slice0cost_pixels_first_2_0_count_18_value_2;
-      slice0cost_pixels_first_2_0_count_18_value_3 := to_integer(slice0shift_reference_2(56 downto 56)) = 1;
-      slice0cost_pixels_first_2_0_count_18_value_4 := to_integer(slice0shift_search_2_0(56 downto 56)) = 1;
-      slice0cost_pixels_first_2_0_count_18_choice_2 := not slice0cost_pixels_first_2_0_count_18_value_4 when
-        slice0cost_pixels_first_2_0_count_18_value_3 else slice0cost_pixels_first_2_0_count_18_value_4;
-      slice0cost_pixels_first_2_0_count_18_value_5 := to_integer(slice0shift_reference_2(55 downto 55)) = 1;
-      slice0cost_pixels_first_2_0_count_18_value_6 := to_integer(slice0shift_search_2_0(55 downto 55)) = 1;
-      slice0cost_pixels_first_2_0_count_18_choice_3 := not slice0cost_pixels_first_2_0_count_18_value_6 when
-        slice0cost_pixels_first_2_0_count_18_value_5 else slice0cost_pixels_first_2_0_count_18_value_6;
+      slice0cost_pixels_first_2_0_count_18_value_2 := to_integer(slice0shift_reference_2(56 downto 56)) = 1;
+      slice0cost_pixels_first_2_0_count_18_value_3 := to_integer(slice0shift_reference_2(55 downto 55)) = 1;
       slice0cost_pixels_first_2_0_count_19_value := to_integer(slice0shift_reference_2(57 downto 57)) = 1;
-      slice0cost_pixels_first_2_0_count_19_value_2 := to_integer(slice0shift_search_2_0(57 downto 57)) = 1;
-      slice0cost_pixels_first_2_0_count_19_choice := not slice0cost_pixels_first_2_0_count_19_value_2 when
-        slice0cost_pixels_first_2_0_count_19_value else slice0cost_pixels_first_2_0_count_19_value_2;
-      slice0cost_pixels_first_2_0_count_19_value_3 := to_integer(slice0shift_reference_2(59 downto 59)) = 1;
-      slice0cost_pixels_first_2_0_count_19_value_4 := to_integer(slice0shift_search_2_0(59 downto 59)) = 1;
-      slice0cost_pixels_first_2_0_count_19_choice_2 := not slice0cost_pixels_first_2_0_count_19_value_4 when
-        slice0cost_pixels_first_2_0_count_19_value_3 else slice0cost_pixels_first_2_0_count_19_value_4;
-      slice0cost_pixels_first_2_0_count_19_value_5 := to_integer(slice0shift_reference_2(58 downto 58)) = 1;
-      slice0cost_pixels_first_2_0_count_19_value_6 := to_integer(slice0shift_search_2_0(58 downto 58)) = 1;
-      slice0cost_pixels_first_2_0_count_19_choice_3 := not slice0cost_pixels_first_2_0_count_19_value_6 when
-        slice0cost_pixels_first_2_0_count_19_value_5 else slice0cost_pixels_first_2_0_count_19_value_6;
-      slice0cost_pixels_first_2_0_count_20_choice := not (to_integer(slice0shift_search_2_0(61 downto 61)) = 1) when
-        to_integer(slice0shift_reference_2(61 downto 61)) = 1 else to_integer(slice0shift_search_2_0(61 downto 61)) = 1;
+      slice0cost_pixels_first_2_0_count_19_value_2 := to_integer(slice0shift_reference_2(59 downto 59)) = 1;
+      slice0cost_pixels_first_2_0_count_19_value_3 := to_integer(slice0shift_reference_2(58 downto 58)) = 1;
       slice0cost_pixels_first_2_0_count_20_value := to_integer(slice0shift_reference_2(60 downto 60)) = 1;
-      slice0cost_pixels_first_2_0_count_20_value_2 := to_integer(slice0shift_search_2_0(60 downto 60)) = 1;
-      slice0cost_pixels_first_2_0_count_20_choice_2 := not slice0cost_pixels_first_2_0_count_20_value_2 when
-        slice0cost_pixels_first_2_0_count_20_value else slice0cost_pixels_first_2_0_count_20_value_2;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        to_integer(slice0shift_search_2_1(2 downto 2)) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        to_integer(slice0shift_search_2_1(1 downto 1)) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        to_integer(slice0shift_search_2_1(3 downto 3)) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        to_integer(slice0shift_search_2_1(5 downto 5)) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        to_integer(slice0shift_search_2_1(4 downto 4)) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        to_integer(slice0shift_search_2_1(8 downto 8)) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        to_integer(slice0shift_search_2_1(6 downto 6)) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        to_integer(slice0shift_search_2_1(9 downto 9)) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        to_integer(slice0shift_search_2_1(11 downto 11)) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        to_integer(slice0shift_search_2_1(10 downto 10)) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        to_integer(slice0shift_search_2_1(12 downto 12)) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        to_integer(slice0shift_search_2_1(14 downto 14)) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        to_integer(slice0shift_search_2_1(13 downto 13)) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        to_integer(slice0shift_search_2_1(15 downto 15)) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        to_integer(slice0shift_search_2_1(17 downto 17)) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        to_integer(slice0shift_search_2_1(16 downto 16)) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        to_integer(slice0shift_search_2_1(18 downto 18)) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        to_integer(slice0shift_search_2_1(20 downto 20)) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        to_integer(slice0shift_search_2_1(19 downto 19)) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        to_integer(slice0shift_search_2_1(21 downto 21)) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        to_integer(slice0shift_search_2_1(23 downto 23)) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_5 when
-        to_integer(slice0shift_search_2_1(22 downto 22)) = 1 else slice0cost_pixels_first_2_0_count_7_value_5;
-      slice0cost_pixels_first_2_1_count_8_choice := not slice0cost_pixels_first_2_0_count_8_value when
-        to_integer(slice0shift_search_2_1(24 downto 24)) = 1 else slice0cost_pixels_first_2_0_count_8_value;
-      slice0cost_pixels_first_2_1_count_8_choice_2 := not slice0cost_pixels_first_2_0_count_8_value_3 when
-        to_integer(slice0shift_search_2_1(26 downto 26)) = 1 else slice0cost_pixels_first_2_0_count_8_value_3;
-      slice0cost_pixels_first_2_1_count_8_choice_3 := not slice0cost_pixels_first_2_0_count_8_value_5 when
-        to_integer(slice0shift_search_2_1(25 downto 25)) = 1 else slice0cost_pixels_first_2_0_count_8_value_5;
-      slice0cost_pixels_first_2_1_count_9_choice := not slice0cost_pixels_first_2_0_count_9_value when
-        to_integer(slice0shift_search_2_1(27 downto 27)) = 1 else slice0cost_pixels_first_2_0_count_9_value;
-      slice0cost_pixels_first_2_1_count_9_choice_2 := not slice0cost_pixels_first_2_0_count_9_value_3 when
-        to_integer(slice0shift_search_2_1(29 downto 29)) = 1 else slice0cost_pixels_first_2_0_count_9_value_3;
-      slice0cost_pixels_first_2_1_count_9_choice_3 := not slice0cost_pixels_first_2_0_count_9_value_5 when
-        to_integer(slice0shift_search_2_1(28 downto 28)) = 1 else slice0cost_pixels_first_2_0_count_9_value_5;
-      slice0cost_pixels_first_2_1_count_10_choice := not slice0cost_pixels_first_2_0_count_10_value when
-        to_integer(slice0shift_search_2_1(30 downto 30)) = 1 else slice0cost_pixels_first_2_0_count_10_value;
-      slice0cost_pixels_first_2_1_count_10_choice_2 := not slice0cost_pixels_first_2_0_count_10_value_3 when
-        to_integer(slice0shift_search_2_1(32 downto 32)) = 1 else slice0cost_pixels_first_2_0_count_10_value_3;
-      slice0cost_pixels_first_2_1_count_10_choice_3 := not slice0cost_pixels_first_2_0_count_10_value_5 when
-        to_integer(slice0shift_search_2_1(31 downto 31)) = 1 else slice0cost_pixels_first_2_0_count_10_value_5;
-      slice0cost_pixels_first_2_1_count_11_choice := not slice0cost_pixels_first_2_0_count_11_value when
-        to_integer(slice0shift_search_2_1(33 downto 33)) = 1 else slice0cost_pixels_first_2_0_count_11_value;
-      slice0cost_pixels_first_2_1_count_11_choice_2 := not slice0cost_pixels_first_2_0_count_11_value_3 when
-        to_integer(slice0shift_search_2_1(35 downto 35)) = 1 else slice0cost_pixels_first_2_0_count_11_value_3;
-      slice0cost_pixels_first_2_1_count_11_choice_3 := not slice0cost_pixels_first_2_0_count_11_value_5 when
-        to_integer(slice0shift_search_2_1(34 downto 34)) = 1 else slice0cost_pixels_first_2_0_count_11_value_5;
-      slice0cost_pixels_first_2_1_count_12_choice := not slice0cost_pixels_first_2_0_count_12_value when
-        to_integer(slice0shift_search_2_1(36 downto 36)) = 1 else slice0cost_pixels_first_2_0_count_12_value;
-      slice0cost_pixels_first_2_1_count_12_choice_2 := not slice0cost_pixels_first_2_0_count_12_value_3 when
-        to_integer(slice0shift_search_2_1(38 downto 38)) = 1 else slice0cost_pixels_first_2_0_count_12_value_3;
-      slice0cost_pixels_first_2_1_count_12_choice_3 := not slice0cost_pixels_first_2_0_count_12_value_5 when
-        to_integer(slice0shift_search_2_1(37 downto 37)) = 1 else slice0cost_pixels_first_2_0_count_12_value_5;
-      slice0cost_pixels_first_2_1_count_13_choice := not slice0cost_pixels_first_2_0_count_13_value when
-        to_integer(slice0shift_search_2_1(39 downto 39)) = 1 else slice0cost_pixels_first_2_0_count_13_value;
-      slice0cost_pixels_first_2_1_count_13_choice_2 := not slice0cost_pixels_first_2_0_count_13_value_3 when
-        to_integer(slice0shift_search_2_1(41 downto 41)) = 1 else slice0cost_pixels_first_2_0_count_13_value_3;
-      slice0cost_pixels_first_2_1_count_13_choice_3 := not slice0cost_pixels_first_2_0_count_13_value_5 when
-        to_integer(slice0shift_search_2_1(40 downto 40)) = 1 else slice0cost_pixels_first_2_0_count_13_value_5;
-      slice0cost_pixels_first_2_1_count_14_choice := not slice0cost_pixels_first_2_0_count_14_value when
-        to_integer(slice0shift_search_2_1(42 downto 42)) = 1 else slice0cost_pixels_first_2_0_count_14_value;
-      slice0cost_pixels_first_2_1_count_14_choice_2 := not slice0cost_pixels_first_2_0_count_14_value_3 when
-        to_integer(slice0shift_search_2_1(44 downto 44)) = 1 else slice0cost_pixels_first_2_0_count_14_value_3;
-      slice0cost_pixels_first_2_1_count_14_choice_3 := not slice0cost_pixels_first_2_0_count_14_value_5 when
-        to_integer(slice0shift_search_2_1(43 downto 43)) = 1 else slice0cost_pixels_first_2_0_count_14_value_5;
-      slice0cost_pixels_first_2_1_count_15_choice := not slice0cost_pixels_first_2_0_count_15_value when
-        to_integer(slice0shift_search_2_1(45 downto 45)) = 1 else slice0cost_pixels_first_2_0_count_15_value;
-      slice0cost_pixels_first_2_1_count_15_choice_2 := not slice0cost_pixels_first_2_0_count_15_value_3 when
-        to_integer(slice0shift_search_2_1(47 downto 47)) = 1 else slice0cost_pixels_first_2_0_count_15_value_3;
-      slice0cost_pixels_first_2_1_count_15_choice_3 := not slice0cost_pixels_first_2_0_count_15_value_5 when
-        to_integer(slice0shift_search_2_1(46 downto 46)) = 1 else slice0cost_pixels_first_2_0_count_15_value_5;
-      slice0cost_pixels_first_2_1_count_16_choice := not slice0cost_pixels_first_2_0_count_16_value when
-        to_integer(slice0shift_search_2_1(48 downto 48)) = 1 else slice0cost_pixels_first_2_0_count_16_value;
-      slice0cost_pixels_first_2_1_count_16_choice_2 := not slice0cost_pixels_first_2_0_count_16_value_3 when
-        to_integer(slice0shift_search_2_1(50 downto 50)) = 1 else slice0cost_pixels_first_2_0_count_16_value_3;
-      slice0cost_pixels_first_2_1_count_16_choice_3 := not slice0cost_pixels_first_2_0_count_16_value_5 when
-        to_integer(slice0shift_search_2_1(49 downto 49)) = 1 else slice0cost_pixels_first_2_0_count_16_value_5;
-      slice0cost_pixels_first_2_1_count_17_choice := not slice0cost_pixels_first_2_0_count_17_value when
-        to_integer(slice0shift_search_2_1(51 downto 51)) = 1 else slice0cost_pixels_first_2_0_count_17_value;
-      slice0cost_pixels_first_2_1_count_17_choice_2 := not slice0cost_pixels_first_2_0_count_17_value_3 when
-        to_integer(slice0shift_search_2_1(53 downto 53)) = 1 else slice0cost_pixels_first_2_0_count_17_value_3;
-      slice0cost_pixels_first_2_1_count_17_choice_3 := not slice0cost_pixels_first_2_0_count_17_value_5 when
-        to_integer(slice0shift_search_2_1(52 downto 52)) = 1 else slice0cost_pixels_first_2_0_count_17_value_5;
-      slice0cost_pixels_first_2_1_count_18_choice := not slice0cost_pixels_first_2_0_count_18_value when
-        to_integer(slice0shift_search_2_1(54 downto 54)) = 1 else slice0cost_pixels_first_2_0_count_18_value;
-      slice0cost_pixels_first_2_1_count_18_choice_2 := not slice0cost_pixels_first_2_0_count_18_value_3 when
-        to_integer(slice0shift_search_2_1(56 downto 56)) = 1 else slice0cost_pixels_first_2_0_count_18_value_3;
-      slice0cost_pixels_first_2_1_count_18_choice_3 := not slice0cost_pixels_first_2_0_count_18_value_5 when
-        to_integer(slice0shift_search_2_1(55 downto 55)) = 1 else slice0cost_pixels_first_2_0_count_18_value_5;
-      slice0cost_pixels_first_2_1_count_19_choice := not slice0cost_pixels_first_2_0_count_19_value when
-        to_integer(slice0shift_search_2_1(57 downto 57)) = 1 else slice0cost_pixels_first_2_0_count_19_value;
-      slice0cost_pixels_first_2_1_count_19_choice_2 := not slice0cost_pixels_first_2_0_count_19_value_3 when
-        to_integer(slice0shift_search_2_1(59 downto 59)) = 1 else slice0cost_pixels_first_2_0_count_19_value_3;
-      slice0cost_pixels_first_2_1_count_19_choice_3 := not slice0cost_pixels_first_2_0_count_19_value_5 when
-        to_integer(slice0shift_search_2_1(58 downto 58)) = 1 else slice0cost_pixels_first_2_0_count_19_value_5;
-      slice0cost_pixels_first_2_1_count_20_choice := not (to_integer(slice0shift_reference_2(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_2_1(61 downto 61)) = 1 else to_integer(slice0shift_reference_2(61 downto 61)) = 1;
-      slice0cost_pixels_first_2_1_count_20_choice_2 := not slice0cost_pixels_first_2_0_count_20_value when
-        to_integer(slice0shift_search_2_1(60 downto 60)) = 1 else slice0cost_pixels_first_2_0_count_20_value;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        to_integer(slice0shift_search_2_2(2 downto 2)) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        to_integer(slice0shift_search_2_2(1 downto 1)) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        to_integer(slice0shift_search_2_2(3 downto 3)) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        to_integer(slice0shift_search_2_2(5 downto 5)) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        to_integer(slice0shift_search_2_2(4 downto 4)) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        to_integer(slice0shift_search_2_2(8 downto 8)) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        to_integer(slice0shift_search_2_2(6 downto 6)) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        to_integer(slice0shift_search_2_2(9 downto 9)) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        to_integer(slice0shift_search_2_2(11 downto 11)) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        to_integer(slice0shift_search_2_2(10 downto 10)) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        to_integer(slice0shift_search_2_2(12 downto 12)) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        to_integer(slice0shift_search_2_2(14 downto 14)) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        to_integer(slice0shift_search_2_2(13 downto 13)) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        to_integer(slice0shift_search_2_2(15 downto 15)) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        to_integer(slice0shift_search_2_2(17 downto 17)) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        to_integer(slice0shift_search_2_2(16 downto 16)) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        to_integer(slice0shift_search_2_2(18 downto 18)) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        to_integer(slice0shift_search_2_2(20 downto 20)) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        to_integer(slice0shift_search_2_2(19 downto 19)) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        to_integer(slice0shift_search_2_2(21 downto 21)) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        to_integer(slice0shift_search_2_2(23 downto 23)) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_5 when
-        to_integer(slice0shift_search_2_2(22 downto 22)) = 1 else slice0cost_pixels_first_2_0_count_7_value_5;
-      slice0cost_pixels_first_2_2_count_8_choice := not slice0cost_pixels_first_2_0_count_8_value when
-        to_integer(slice0shift_search_2_2(24 downto 24)) = 1 else slice0cost_pixels_first_2_0_count_8_value;
-      slice0cost_pixels_first_2_2_count_8_choice_2 := not slice0cost_pixels_first_2_0_count_8_value_3 when
-        to_integer(slice0shift_search_2_2(26 downto 26)) = 1 else slice0cost_pixels_first_2_0_count_8_value_3;
-      slice0cost_pixels_first_2_2_count_8_choice_3 := not slice0cost_pixels_first_2_0_count_8_value_5 when
-        to_integer(slice0shift_search_2_2(25 downto 25)) = 1 else slice0cost_pixels_first_2_0_count_8_value_5;
-      slice0cost_pixels_first_2_2_count_9_choice := not slice0cost_pixels_first_2_0_count_9_value when
-        to_integer(slice0shift_search_2_2(27 downto 27)) = 1 else slice0cost_pixels_first_2_0_count_9_value;
-      slice0cost_pixels_first_2_2_count_9_choice_2 := not slice0cost_pixels_first_2_0_count_9_value_3 when
-        to_integer(slice0shift_search_2_2(29 downto 29)) = 1 else slice0cost_pixels_first_2_0_count_9_value_3;
-      slice0cost_pixels_first_2_2_count_9_choice_3 := not slice0cost_pixels_first_2_0_count_9_value_5 when
-        to_integer(slice0shift_search_2_2(28 downto 28)) = 1 else slice0cost_pixels_first_2_0_count_9_value_5;
-      slice0cost_pixels_first_2_2_count_10_choice := not slice0cost_pixels_first_2_0_count_10_value when
-        to_integer(slice0shift_search_2_2(30 downto 30)) = 1 else slice0cost_pixels_first_2_0_count_10_value;
-      slice0cost_pixels_first_2_2_count_10_choice_2 := not slice0cost_pixels_first_2_0_count_10_value_3 when
-        to_integer(slice0shift_search_2_2(32 downto 32)) = 1 else slice0cost_pixels_first_2_0_count_10_value_3;
-      slice0cost_pixels_first_2_2_count_10_choice_3 := not slice0cost_pixels_first_2_0_count_10_value_5 when
-        to_integer(slice0shift_search_2_2(31 downto 31)) = 1 else slice0cost_pixels_first_2_0_count_10_value_5;
-      slice0cost_pixels_first_2_2_count_11_choice := not slice0cost_pixels_first_2_0_count_11_value when
-        to_integer(slice0shift_search_2_2(33 downto 33)) = 1 else slice0cost_pixels_first_2_0_count_11_value;
-      slice0cost_pixels_first_2_2_count_11_choice_2 := not slice0cost_pixels_first_2_0_count_11_value_3 when
-        to_integer(slice0shift_search_2_2(35 downto 35)) = 1 else slice0cost_pixels_first_2_0_count_11_value_3;
-      slice0cost_pixels_first_2_2_count_11_choice_3 := not slice0cost_pixels_first_2_0_count_11_value_5 when
-        to_integer(slice0shift_search_2_2(34 downto 34)) = 1 else slice0cost_pixels_first_2_0_count_11_value_5;
-      slice0cost_pixels_first_2_2_count_12_choice := not slice0cost_pixels_first_2_0_count_12_value when
-        to_integer(slice0shift_search_2_2(36 downto 36)) = 1 else slice0cost_pixels_first_2_0_count_12_value;
-      slice0cost_pixels_first_2_2_count_12_choice_2 := not slice0cost_pixels_first_2_0_count_12_value_3 when
-        to_integer(slice0shift_search_2_2(38 downto 38)) = 1 else slice0cost_pixels_first_2_0_count_12_value_3;
-      slice0cost_pixels_first_2_2_count_12_choice_3 := not slice0cost_pixels_first_2_0_count_12_value_5 when
-        to_integer(slice0shift_search_2_2(37 downto 37)) = 1 else slice0cost_pixels_first_2_0_count_12_value_5;
-      slice0cost_pixels_first_2_2_count_13_choice := not slice0cost_pixels_first_2_0_count_13_value when
-        to_integer(slice0shift_search_2_2(39 downto 39)) = 1 else slice0cost_pixels_first_2_0_count_13_value;
-      slice0cost_pixels_first_2_2_count_13_choice_2 := not slice0cost_pixels_first_2_0_count_13_value_3 when
-        to_integer(slice0shift_search_2_2(41 downto 41)) = 1 else slice0cost_pixels_first_2_0_count_13_value_3;
-      slice0cost_pixels_first_2_2_count_13_choice_3 := not slice0cost_pixels_first_2_0_count_13_value_5 when
-        to_integer(slice0shift_search_2_2(40 downto 40)) = 1 else slice0cost_pixels_first_2_0_count_13_value_5;
-      slice0cost_pixels_first_2_2_count_14_choice := not slice0cost_pixels_first_2_0_count_14_value when
-        to_integer(slice0shift_search_2_2(42 downto 42)) = 1 else slice0cost_pixels_first_2_0_count_14_value;
-      slice0cost_pixels_first_2_2_count_14_choice_2 := not slice0cost_pixels_first_2_0_count_14_value_3 when
-        to_integer(slice0shift_search_2_2(44 downto 44)) = 1 else slice0cost_pixels_first_2_0_count_14_value_3;
-      slice0cost_pixels_first_2_2_count_14_choice_3 := not slice0cost_pixels_first_2_0_count_14_value_5 when
-        to_integer(slice0shift_search_2_2(43 downto 43)) = 1 else slice0cost_pixels_first_2_0_count_14_value_5;
-      slice0cost_pixels_first_2_2_count_15_choice := not slice0cost_pixels_first_2_0_count_15_value when
-        to_integer(slice0shift_search_2_2(45 downto 45)) = 1 else slice0cost_pixels_first_2_0_count_15_value;
-      slice0cost_pixels_first_2_2_count_15_choice_2 := not slice0cost_pixels_first_2_0_count_15_value_3 when
-        to_integer(slice0shift_search_2_2(47 downto 47)) = 1 else slice0cost_pixels_first_2_0_count_15_value_3;
-      slice0cost_pixels_first_2_2_count_15_choice_3 := not slice0cost_pixels_first_2_0_count_15_value_5 when
-        to_integer(slice0shift_search_2_2(46 downto 46)) = 1 else slice0cost_pixels_first_2_0_count_15_value_5;
-      slice0cost_pixels_first_2_2_count_16_choice := not slice0cost_pixels_first_2_0_count_16_value when
-        to_integer(slice0shift_search_2_2(48 downto 48)) = 1 else slice0cost_pixels_first_2_0_count_16_value;
-      slice0cost_pixels_first_2_2_count_16_choice_2 := not slice0cost_pixels_first_2_0_count_16_value_3 when
-        to_integer(slice0shift_search_2_2(50 downto 50)) = 1 else slice0cost_pixels_first_2_0_count_16_value_3;
-      slice0cost_pixels_first_2_2_count_16_choice_3 := not slice0cost_pixels_first_2_0_count_16_value_5 when
-        to_integer(slice0shift_search_2_2(49 downto 49)) = 1 else slice0cost_pixels_first_2_0_count_16_value_5;
-      slice0cost_pixels_first_2_2_count_17_choice := not slice0cost_pixels_first_2_0_count_17_value when
-        to_integer(slice0shift_search_2_2(51 downto 51)) = 1 else slice0cost_pixels_first_2_0_count_17_value;
-      slice0cost_pixels_first_2_2_count_17_choice_2 := not slice0cost_pixels_first_2_0_count_17_value_3 when
-        to_integer(slice0shift_search_2_2(53 downto 53)) = 1 else slice0cost_pixels_first_2_0_count_17_value_3;
-      slice0cost_pixels_first_2_2_count_17_choice_3 := not slice0cost_pixels_first_2_0_count_17_value_5 when
-        to_integer(slice0shift_search_2_2(52 downto 52)) = 1 else slice0cost_pixels_first_2_0_count_17_value_5;
-      slice0cost_pixels_first_2_2_count_18_choice := not slice0cost_pixels_first_2_0_count_18_value when
-        to_integer(slice0shift_search_2_2(54 downto 54)) = 1 else slice0cost_pixels_first_2_0_count_18_value;
-      slice0cost_pixels_first_2_2_count_18_choice_2 := not slice0cost_pixels_first_2_0_count_18_value_3 when
-        to_integer(slice0shift_search_2_2(56 downto 56)) = 1 else slice0cost_pixels_first_2_0_count_18_value_3;
-      slice0cost_pixels_first_2_2_count_18_choice_3 := not slice0cost_pixels_first_2_0_count_18_value_5 when
-        to_integer(slice0shift_search_2_2(55 downto 55)) = 1 else slice0cost_pixels_first_2_0_count_18_value_5;
-      slice0cost_pixels_first_2_2_count_19_choice := not slice0cost_pixels_first_2_0_count_19_value when
-        to_integer(slice0shift_search_2_2(57 downto 57)) = 1 else slice0cost_pixels_first_2_0_count_19_value;
-      slice0cost_pixels_first_2_2_count_19_choice_2 := not slice0cost_pixels_first_2_0_count_19_value_3 when
-        to_integer(slice0shift_search_2_2(59 downto 59)) = 1 else slice0cost_pixels_first_2_0_count_19_value_3;
-      slice0cost_pixels_first_2_2_count_19_choice_3 := not slice0cost_pixels_first_2_0_count_19_value_5 when
-        to_integer(slice0shift_search_2_2(58 downto 58)) = 1 else slice0cost_pixels_first_2_0_count_19_value_5;
-      slice0cost_pixels_first_2_2_count_20_choice := not (to_integer(slice0shift_reference_2(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_2_2(61 downto 61)) = 1 else to_integer(slice0shift_reference_2(61 downto 61)) = 1;
-      slice0cost_pixels_first_2_2_count_20_choice_2 := not slice0cost_pixels_first_2_0_count_20_value when
-        to_integer(slice0shift_search_2_2(60 downto 60)) = 1 else slice0cost_pixels_first_2_0_count_20_value;
-      slice0cost_pixels_first_2_3_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        to_integer(slice0shift_search_2_3(2 downto 2)) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_3_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        to_integer(slice0shift_search_2_3(1 downto 1)) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        to_integer(slice0shift_search_2_3(3 downto 3)) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_3_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        to_integer(slice0shift_search_2_3(5 downto 5)) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        to_integer(slice0shift_search_2_3(4 downto 4)) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_3_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        to_integer(slice0shift_search_2_3(8 downto 8)) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_3_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        to_integer(slice0shift_search_2_3(6 downto 6)) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        to_integer(slice0shift_search_2_3(9 downto 9)) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_3_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        to_integer(slice0shift_search_2_3(11 downto 11)) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        to_integer(slice0shift_search_2_3(10 downto 10)) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_3_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        to_integer(slice0shift_search_2_3(12 downto 12)) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_3_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        to_integer(slice0shift_search_2_3(14 downto 14)) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_3_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        to_integer(slice0shift_search_2_3(13 downto 13)) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_3_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        to_integer(slice0shift_search_2_3(15 downto 15)) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_3_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        to_integer(slice0shift_search_2_3(17 downto 17)) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_3_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        to_integer(slice0shift_search_2_3(16 downto 16)) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_3_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        to_integer(slice0shift_search_2_3(18 downto 18)) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_3_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        to_integer(slice0shift_search_2_3(20 downto 20)) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_3_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        to_integer(slice0shift_search_2_3(19 downto 19)) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_3_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        to_integer(slice0shift_search_2_3(21 downto 21)) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_3_count_7_choice_2 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        to_integer(slice0shift_search_2_3(23 downto 23)) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_3_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_5 when
-        to_integer(slice0shift_search_2_3(22 downto 22)) = 1 else slice0cost_pixels_first_2_0_count_7_value_5;
-      slice0cost_pixels_first_2_3_count_8_choice := not slice0cost_pixels_first_2_0_count_8_value when
-        to_integer(slice0shift_search_2_3(24 downto 24)) = 1 else slice0cost_pixels_first_2_0_count_8_value;
-      slice0cost_pixels_first_2_3_count_8_choice_2 := not slice0cost_pixels_first_2_0_count_8_value_3 when
-        to_integer(slice0shift_search_2_3(26 downto 26)) = 1 else slice0cost_pixels_first_2_0_count_8_value_3;
-      slice0cost_pixels_first_2_3_count_8_choice_3 := not slice0cost_pixels_first_2_0_count_8_value_5 when
-        to_integer(slice0shift_search_2_3(25 downto 25)) = 1 else slice0cost_pixels_first_2_0_count_8_value_5;
-      slice0cost_pixels_first_2_3_count_9_choice := not slice0cost_pixels_first_2_0_count_9_value when
-        to_integer(slice0shift_search_2_3(27 downto 27)) = 1 else slice0cost_pixels_first_2_0_count_9_value;
-      slice0cost_pixels_first_2_3_count_9_choice_2 := not slice0cost_pixels_first_2_0_count_9_value_3 when
-        to_integer(slice0shift_search_2_3(29 downto 29)) = 1 else slice0cost_pixels_first_2_0_count_9_value_3;
-      slice0cost_pixels_first_2_3_count_9_choice_3 := not slice0cost_pixels_first_2_0_count_9_value_5 when
-        to_integer(slice0shift_search_2_3(28 downto 28)) = 1 else slice0cost_pixels_first_2_0_count_9_value_5;
-      slice0cost_pixels_first_2_3_count_10_choice := not slice0cost_pixels_first_2_0_count_10_value when
-        to_integer(slice0shift_search_2_3(30 downto 30)) = 1 else slice0cost_pixels_first_2_0_count_10_value;
-      slice0cost_pixels_first_2_3_count_10_choice_2 := not slice0cost_pixels_first_2_0_count_10_value_3 when
-        to_integer(slice0shift_search_2_3(32 downto 32)) = 1 else slice0cost_pixels_first_2_0_count_10_value_3;
-      slice0cost_pixels_first_2_3_count_10_choice_3 := not slice0cost_pixels_first_2_0_count_10_value_5 when
-        to_integer(slice0shift_search_2_3(31 downto 31)) = 1 else slice0cost_pixels_first_2_0_count_10_value_5;
-      slice0cost_pixels_first_2_3_count_11_choice := not slice0cost_pixels_first_2_0_count_11_value when
-        to_integer(slice0shift_search_2_3(33 downto 33)) = 1 else slice0cost_pixels_first_2_0_count_11_value;
-      slice0cost_pixels_first_2_3_count_11_choice_2 := not slice0cost_pixels_first_2_0_count_11_value_3 when
-        to_integer(slice0shift_search_2_3(35 downto 35)) = 1 else slice0cost_pixels_first_2_0_count_11_value_3;
-      slice0cost_pixels_first_2_3_count_11_choice_3 := not slice0cost_pixels_first_2_0_count_11_value_5 when
-        to_integer(slice0shift_search_2_3(34 downto 34)) = 1 else slice0cost_pixels_first_2_0_count_11_value_5;
-      slice0cost_pixels_first_2_3_count_12_choice := not slice0cost_pixels_first_2_0_count_12_value when
-        to_integer(slice0shift_search_2_3(36 downto 36)) = 1 else slice0cost_pixels_first_2_0_count_12_value;
-      slice0cost_pixels_first_2_3_count_12_choice_2 := not slice0cost_pixels_first_2_0_count_12_value_3 when
-        to_integer(slice0shift_search_2_3(38 downto 38)) = 1 else slice0cost_pixels_first_2_0_count_12_value_3;
-      slice0cost_pixels_first_2_3_count_12_choice_3 := not slice0cost_pixels_first_2_0_count_12_value_5 when
-        to_integer(slice0shift_search_2_3(37 downto 37)) = 1 else slice0cost_pixels_first_2_0_count_12_value_5;
-      slice0cost_pixels_first_2_3_count_13_choice := not slice0cost_pixels_first_2_0_count_13_value when
-        to_integer(slice0shift_search_2_3(39 downto 39)) = 1 else slice0cost_pixels_first_2_0_count_13_value;
-      slice0cost_pixels_first_2_3_count_13_choice_2 := not slice0cost_pixels_first_2_0_count_13_value_3 when
-        to_integer(slice0shift_search_2_3(41 downto 41)) = 1 else slice0cost_pixels_first_2_0_count_13_value_3;
-      slice0cost_pixels_first_2_3_count_13_choice_3 := not slice0cost_pixels_first_2_0_count_13_value_5 when
-        to_integer(slice0shift_search_2_3(40 downto 40)) = 1 else slice0cost_pixels_first_2_0_count_13_value_5;
-      slice0cost_pixels_first_2_3_count_14_choice := not slice0cost_pixels_first_2_0_count_14_value when
-        to_integer(slice0shift_search_2_3(42 downto 42)) = 1 else slice0cost_pixels_first_2_0_count_14_value;
-      slice0cost_pixels_first_2_3_count_14_choice_2 := not slice0cost_pixels_first_2_0_count_14_value_3 when
-        to_integer(slice0shift_search_2_3(44 downto 44)) = 1 else slice0cost_pixels_first_2_0_count_14_value_3;
-      slice0cost_pixels_first_2_3_count_14_choice_3 := not slice0cost_pixels_first_2_0_count_14_value_5 when
-        to_integer(slice0shift_search_2_3(43 downto 43)) = 1 else slice0cost_pixels_first_2_0_count_14_value_5;
-      slice0cost_pixels_first_2_3_count_15_choice := not slice0cost_pixels_first_2_0_count_15_value when
-        to_integer(slice0shift_search_2_3(45 downto 45)) = 1 else slice0cost_pixels_first_2_0_count_15_value;
-      slice0cost_pixels_first_2_3_count_15_choice_2 := not slice0cost_pixels_first_2_0_count_15_value_3 when
-        to_integer(slice0shift_search_2_3(47 downto 47)) = 1 else slice0cost_pixels_first_2_0_count_15_value_3;
-      slice0cost_pixels_first_2_3_count_15_choice_3 := not slice0cost_pixels_first_2_0_count_15_value_5 when
-        to_integer(slice0shift_search_2_3(46 downto 46)) = 1 else slice0cost_pixels_first_2_0_count_15_value_5;
-      slice0cost_pixels_first_2_3_count_16_choice := not slice0cost_pixels_first_2_0_count_16_value when
-        to_integer(slice0shift_search_2_3(48 downto 48)) = 1 else slice0cost_pixels_first_2_0_count_16_value;
-      slice0cost_pixels_first_2_3_count_16_choice_2 := not slice0cost_pixels_first_2_0_count_16_value_3 when
-        to_integer(slice0shift_search_2_3(50 downto 50)) = 1 else slice0cost_pixels_first_2_0_count_16_value_3;
-      slice0cost_pixels_first_2_3_count_16_choice_3 := not slice0cost_pixels_first_2_0_count_16_value_5 when
-        to_integer(slice0shift_search_2_3(49 downto 49)) = 1 else slice0cost_pixels_first_2_0_count_16_value_5;
-      slice0cost_pixels_first_2_3_count_17_choice := not slice0cost_pixels_first_2_0_count_17_value when
-        to_integer(slice0shift_search_2_3(51 downto 51)) = 1 else slice0cost_pixels_first_2_0_count_17_value;
-      slice0cost_pixels_first_2_3_count_17_choice_2 := not slice0cost_pixels_first_2_0_count_17_value_3 when
-        to_integer(slice0shift_search_2_3(53 downto 53)) = 1 else slice0cost_pixels_first_2_0_count_17_value_3;
-      slice0cost_pixels_first_2_3_count_17_choice_3 := not slice0cost_pixels_first_2_0_count_17_value_5 when
-        to_integer(slice0shift_search_2_3(52 downto 52)) = 1 else slice0cost_pixels_first_2_0_count_17_value_5;
-      slice0cost_pixels_first_2_3_count_18_choice := not slice0cost_pixels_first_2_0_count_18_value when
-        to_integer(slice0shift_search_2_3(54 downto 54)) = 1 else slice0cost_pixels_first_2_0_count_18_value;
-      slice0cost_pixels_first_2_3_count_18_choice_2 := not slice0cost_pixels_first_2_0_count_18_value_3 when
-        to_integer(slice0shift_search_2_3(56 downto 56)) = 1 else slice0cost_pixels_first_2_0_count_18_value_3;
-      slice0cost_pixels_first_2_3_count_18_choice_3 := not slice0cost_pixels_first_2_0_count_18_value_5 when
-        to_integer(slice0shift_search_2_3(55 downto 55)) = 1 else slice0cost_pixels_first_2_0_count_18_value_5;
-      slice0cost_pixels_first_2_3_count_19_choice := not slice0cost_pixels_first_2_0_count_19_value when
-        to_integer(slice0shift_search_2_3(57 downto 57)) = 1 else slice0cost_pixels_first_2_0_count_19_value;
-      slice0cost_pixels_first_2_3_count_19_choice_2 := not slice0cost_pixels_first_2_0_count_19_value_3 when
-        to_integer(slice0shift_search_2_3(59 downto 59)) = 1 else slice0cost_pixels_first_2_0_count_19_value_3;
-      slice0cost_pixels_first_2_3_count_19_choice_3 := not slice0cost_pixels_first_2_0_count_19_value_5 when
-        to_integer(slice0shift_search_2_3(58 downto 58)) = 1 else slice0cost_pixels_first_2_0_count_19_value_5;
-      slice0cost_pixels_first_2_3_count_20_choice := not (to_integer(slice0shift_reference_2(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_2_3(61 downto 61)) = 1 else to_integer(slice0shift_reference_2(61 downto 61)) = 1;
-      slice0cost_pixels_first_2_3_count_20_choice_2 := not slice0cost_pixels_first_2_0_count_20_value when
-        to_integer(slice0shift_search_2_3(60 downto 60)) = 1 else slice0cost_pixels_first_2_0_count_20_value;
-      slice0cost_pixels_first_2_4_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        to_integer(slice0shift_search_2_4(2 downto 2)) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_4_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        to_integer(slice0shift_search_2_4(1 downto 1)) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        to_integer(slice0shift_search_2_4(3 downto 3)) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_4_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        to_integer(slice0shift_search_2_4(5 downto 5)) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        to_integer(slice0shift_search_2_4(4 downto 4)) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_4_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        to_integer(slice0shift_search_2_4(8 downto 8)) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_4_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        to_integer(slice0shift_search_2_4(6 downto 6)) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        to_integer(slice0shift_search_2_4(9 downto 9)) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_4_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        to_integer(slice0shift_search_2_4(11 downto 11)) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        to_integer(slice0shift_search_2_4(10 downto 10)) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_4_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        to_integer(slice0shift_search_2_4(12 downto 12)) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_4_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        to_integer(slice0shift_search_2_4(14 downto 14)) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_4_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        to_integer(slice0shift_search_2_4(13 downto 13)) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_4_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        to_integer(slice0shift_search_2_4(15 downto 15)) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_4_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        to_integer(slice0shift_search_2_4(17 downto 17)) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_4_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        to_integer(slice0shift_search_2_4(16 downto 16)) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_4_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        to_integer(slice0shift_search_2_4(18 downto 18)) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_4_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        to_integer(slice0shift_search_2_4(20 downto 20)) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_4_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        to_integer(slice0shift_search_2_4(19 downto 19)) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_4_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        to_integer(slice0shift_search_2_4(21 downto 21)) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_4_count_7_choice_2 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        to_integer(slice0shift_search_2_4(23 downto 23)) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_4_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_5 when
-        to_integer(slice0shift_search_2_4(22 downto 22)) = 1 else slice0cost_pixels_first_2_0_count_7_value_5;
-      slice0cost_pixels_first_2_4_count_8_choice := not slice0cost_pixels_first_2_0_count_8_value when
-        to_integer(slice0shift_search_2_4(24 downto 24)) = 1 else slice0cost_pixels_first_2_0_count_8_value;
-      slice0cost_pixels_first_2_4_count_8_choice_2 := not slice0cost_pixels_first_2_0_count_8_value_3 when
-        to_integer(slice0shift_search_2_4(26 downto 26)) = 1 else slice0cost_pixels_first_2_0_count_8_value_3;
-      slice0cost_pixels_first_2_4_count_8_choice_3 := not slice0cost_pixels_first_2_0_count_8_value_5 when
-        to_integer(slice0shift_search_2_4(25 downto 25)) = 1 else slice0cost_pixels_first_2_0_count_8_value_5;
-      slice0cost_pixels_first_2_4_count_9_choice := not slice0cost_pixels_first_2_0_count_9_value when
-        to_integer(slice0shift_search_2_4(27 downto 27)) = 1 else slice0cost_pixels_first_2_0_count_9_value;
-      slice0cost_pixels_first_2_4_count_9_choice_2 := not slice0cost_pixels_first_2_0_count_9_value_3 when
-        to_integer(slice0shift_search_2_4(29 downto 29)) = 1 else slice0cost_pixels_first_2_0_count_9_value_3;
-      slice0cost_pixels_first_2_4_count_9_choice_3 := not slice0cost_pixels_first_2_0_count_9_value_5 when
-        to_integer(slice0shift_search_2_4(28 downto 28)) = 1 else slice0cost_pixels_first_2_0_count_9_value_5;
-      slice0cost_pixels_first_2_4_count_10_choice := not slice0cost_pixels_first_2_0_count_10_value when
-        to_integer(slice0shift_search_2_4(30 downto 30)) = 1 else slice0cost_pixels_first_2_0_count_10_value;
-      slice0cost_pixels_first_2_4_count_10_choice_2 := not slice0cost_pixels_first_2_0_count_10_value_3 when
-        to_integer(slice0shift_search_2_4(32 downto 32)) = 1 else slice0cost_pixels_first_2_0_count_10_value_3;
-      slice0cost_pixels_first_2_4_count_10_choice_3 := not slice0cost_pixels_first_2_0_count_10_value_5 when
-        to_integer(slice0shift_search_2_4(31 downto 31)) = 1 else slice0cost_pixels_first_2_0_count_10_value_5;
-      slice0cost_pixels_first_2_4_count_11_choice := not slice0cost_pixels_first_2_0_count_11_value when
-        to_integer(slice0shift_search_2_4(33 downto 33)) = 1 else slice0cost_pixels_first_2_0_count_11_value;
-      slice0cost_pixels_first_2_4_count_11_choice_2 := not slice0cost_pixels_first_2_0_count_11_value_3 when
-        to_integer(slice0shift_search_2_4(35 downto 35)) = 1 else slice0cost_pixels_first_2_0_count_11_value_3;
-      slice0cost_pixels_first_2_4_count_11_choice_3 := not slice0cost_pixels_first_2_0_count_11_value_5 when
-        to_integer(slice0shift_search_2_4(34 downto 34)) = 1 else slice0cost_pixels_first_2_0_count_11_value_5;
-      slice0cost_pixels_first_2_4_count_12_choice := not slice0cost_pixels_first_2_0_count_12_value when
-        to_integer(slice0shift_search_2_4(36 downto 36)) = 1 else slice0cost_pixels_first_2_0_count_12_value;
-      slice0cost_pixels_first_2_4_count_12_choice_2 := not slice0cost_pixels_first_2_0_count_12_value_3 when
-        to_integer(slice0shift_search_2_4(38 downto 38)) = 1 else slice0cost_pixels_first_2_0_count_12_value_3;
-      slice0cost_pixels_first_2_4_count_12_choice_3 := not slice0cost_pixels_first_2_0_count_12_value_5 when
-        to_integer(slice0shift_search_2_4(37 downto 37)) = 1 else slice0cost_pixels_first_2_0_count_12_value_5;
-      slice0cost_pixels_first_2_4_count_13_choice := not slice0cost_pixels_first_2_0_count_13_value when
-        to_integer(slice0shift_search_2_4(39 downto 39)) = 1 else slice0cost_pixels_first_2_0_count_13_value;
-      slice0cost_pixels_first_2_4_count_13_choice_2 := not slice0cost_pixels_first_2_0_count_13_value_3 when
-        to_integer(slice0shift_search_2_4(41 downto 41)) = 1 else slice0cost_pixels_first_2_0_count_13_value_3;
-      slice0cost_pixels_first_2_4_count_13_choice_3 := not slice0cost_pixels_first_2_0_count_13_value_5 when
-        to_integer(slice0shift_search_2_4(40 downto 40)) = 1 else slice0cost_pixels_first_2_0_count_13_value_5;
-      slice0cost_pixels_first_2_4_count_14_choice := not slice0cost_pixels_first_2_0_count_14_value when
-        to_integer(slice0shift_search_2_4(42 downto 42)) = 1 else slice0cost_pixels_first_2_0_count_14_value;
-      slice0cost_pixels_first_2_4_count_14_choice_2 := not slice0cost_pixels_first_2_0_count_14_value_3 when
-        to_integer(slice0shift_search_2_4(44 downto 44)) = 1 else slice0cost_pixels_first_2_0_count_14_value_3;
-      slice0cost_pixels_first_2_4_count_14_choice_3 := not slice0cost_pixels_first_2_0_count_14_value_5 when
-        to_integer(slice0shift_search_2_4(43 downto 43)) = 1 else slice0cost_pixels_first_2_0_count_14_value_5;
-      slice0cost_pixels_first_2_4_count_15_choice := not slice0cost_pixels_first_2_0_count_15_value when
-        to_integer(slice0shift_search_2_4(45 downto 45)) = 1 else slice0cost_pixels_first_2_0_count_15_value;
-      slice0cost_pixels_first_2_4_count_15_choice_2 := not slice0cost_pixels_first_2_0_count_15_value_3 when
-        to_integer(slice0shift_search_2_4(47 downto 47)) = 1 else slice0cost_pixels_first_2_0_count_15_value_3;
-      slice0cost_pixels_first_2_4_count_15_choice_3 := not slice0cost_pixels_first_2_0_count_15_value_5 when
-        to_integer(slice0shift_search_2_4(46 downto 46)) = 1 else slice0cost_pixels_first_2_0_count_15_value_5;
-      slice0cost_pixels_first_2_4_count_16_choice := not slice0cost_pixels_first_2_0_count_16_value when
-        to_integer(slice0shift_search_2_4(48 downto 48)) = 1 else slice0cost_pixels_first_2_0_count_16_value;
-      slice0cost_pixels_first_2_4_count_16_choice_2 := not slice0cost_pixels_first_2_0_count_16_value_3 when
-        to_integer(slice0shift_search_2_4(50 downto 50)) = 1 else slice0cost_pixels_first_2_0_count_16_value_3;
-      slice0cost_pixels_first_2_4_count_16_choice_3 := not slice0cost_pixels_first_2_0_count_16_value_5 when
-        to_integer(slice0shift_search_2_4(49 downto 49)) = 1 else slice0cost_pixels_first_2_0_count_16_value_5;
-      slice0cost_pixels_first_2_4_count_17_choice := not slice0cost_pixels_first_2_0_count_17_value when
-        to_integer(slice0shift_search_2_4(51 downto 51)) = 1 else slice0cost_pixels_first_2_0_count_17_value;
-      slice0cost_pixels_first_2_4_count_17_choice_2 := not slice0cost_pixels_first_2_0_count_17_value_3 when
-        to_integer(slice0shift_search_2_4(53 downto 53)) = 1 else slice0cost_pixels_first_2_0_count_17_value_3;
-      slice0cost_pixels_first_2_4_count_17_choice_3 := not slice0cost_pixels_first_2_0_count_17_value_5 when
-        to_integer(slice0shift_search_2_4(52 downto 52)) = 1 else slice0cost_pixels_first_2_0_count_17_value_5;
-      slice0cost_pixels_first_2_4_count_18_choice := not slice0cost_pixels_first_2_0_count_18_value when
-        to_integer(slice0shift_search_2_4(54 downto 54)) = 1 else slice0cost_pixels_first_2_0_count_18_value;
-      slice0cost_pixels_first_2_4_count_18_choice_2 := not slice0cost_pixels_first_2_0_count_18_value_3 when
-        to_integer(slice0shift_search_2_4(56 downto 56)) = 1 else slice0cost_pixels_first_2_0_count_18_value_3;
-      slice0cost_pixels_first_2_4_count_18_choice_3 := not slice0cost_pixels_first_2_0_count_18_value_5 when
-        to_integer(slice0shift_search_2_4(55 downto 55)) = 1 else slice0cost_pixels_first_2_0_count_18_value_5;
-      slice0cost_pixels_first_2_4_count_19_choice := not slice0cost_pixels_first_2_0_count_19_value when
-        to_integer(slice0shift_search_2_4(57 downto 57)) = 1 else slice0cost_pixels_first_2_0_count_19_value;
-      slice0cost_pixels_first_2_4_count_19_choice_2 := not slice0cost_pixels_first_2_0_count_19_value_3 when
-        to_integer(slice0shift_search_2_4(59 downto 59)) = 1 else slice0cost_pixels_first_2_0_count_19_value_3;
-      slice0cost_pixels_first_2_4_count_19_choice_3 := not slice0cost_pixels_first_2_0_count_19_value_5 when
-        to_integer(slice0shift_search_2_4(58 downto 58)) = 1 else slice0cost_pixels_first_2_0_count_19_value_5;
-      slice0cost_pixels_first_2_4_count_20_choice := not (to_integer(slice0shift_reference_2(61 downto 61)) = 1) when
-        to_integer(slice0shift_search_2_4(61 downto 61)) = 1 else to_integer(slice0shift_reference_2(61 downto 61)) = 1;
-      slice0cost_pixels_first_2_4_count_20_choice_2 := not slice0cost_pixels_first_2_0_count_20_value when
-        to_integer(slice0shift_search_2_4(60 downto 60)) = 1 else slice0cost_pixels_first_2_0_count_20_value;
       slice0cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice0shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice0shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice0shift_search_0_0(1 downto 1)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice0shift_search_0_0(3 downto 3)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice0shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice0shift_search_0_0(4 downto 4)) =
+        1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
-      slice0cost_pixels_first_0_0_count_8 <= as_number(slice0cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_3);
-      slice0cost_pixels_first_0_0_count_9 <= as_number(slice0cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_3);
-      slice0cost_pixels_first_0_0_count_10 <= as_number(slice0cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_3);
-      slice0cost_pixels_first_0_0_count_11 <= as_number(slice0cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_3);
-      slice0cost_pixels_first_0_0_count_12 <= as_number(slice0cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_3);
-      slice0cost_pixels_first_0_0_count_13 <= as_number(slice0cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_3);
-      slice0cost_pixels_first_0_0_count_14 <= as_number(slice0cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_14_choice_3);
-      slice0cost_pixels_first_0_0_count_15 <= as_number(slice0cost_pixels_first_0_0_count_15_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_15_choice_3);
-      slice0cost_pixels_first_0_0_count_16 <= as_number(slice0cost_pixels_first_0_0_count_16_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_16_choice_3);
-      slice0cost_pixels_first_0_0_count_17 <= as_number(slice0cost_pixels_first_0_0_count_17_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_17_choice_3);
-      slice0cost_pixels_first_0_0_count_18 <= as_number(slice0cost_pixels_first_0_0_count_18_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_18_choice_3);
-      slice0cost_pixels_first_0_0_count_19 <= as_number(slice0cost_pixels_first_0_0_count_19_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_19_choice_3);
-      slice0cost_pixels_first_0_0_count_20 <= as_number(slice0cost_pixels_first_0_0_count_20_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_20_choice_2);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (to_integer(slice0shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice0shift_search_0_0(6 downto 6)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice0shift_search_0_0(9 downto 9)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice0shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice0shift_search_0_0(10 downto 10)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice0shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice0shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice0shift_search_0_0(13 downto
+        13)) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice0shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice0shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice0shift_search_0_0(16 downto
+        16)) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice0shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice0shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice0shift_search_0_0(19 downto
+        19)) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice0shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice0shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice0shift_search_0_0(22 downto
+        22)) = 1)));
+      slice0cost_pixels_first_0_0_count_8 <= as_number((slice0cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice0shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice0shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice0shift_search_0_0(25 downto
+        25)) = 1)));
+      slice0cost_pixels_first_0_0_count_9 <= as_number((slice0cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice0shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice0shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice0shift_search_0_0(28 downto
+        28)) = 1)));
+      slice0cost_pixels_first_0_0_count_10 <= as_number((slice0cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice0shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice0shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice0shift_search_0_0(31 downto
+        31)) = 1)));
+      slice0cost_pixels_first_0_0_count_11 <= as_number((slice0cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice0shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice0shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice0shift_search_0_0(34 downto
+        34)) = 1)));
+      slice0cost_pixels_first_0_0_count_12 <= as_number((slice0cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice0shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice0shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice0shift_search_0_0(37 downto
+        37)) = 1)));
+      slice0cost_pixels_first_0_0_count_13 <= as_number((slice0cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice0shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice0shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice0shift_search_0_0(40 downto
+        40)) = 1)));
+      slice0cost_pixels_first_0_0_count_14 <= as_number((slice0cost_pixels_first_0_0_count_14_value /=
+        (to_integer(slice0shift_search_0_0(42 downto 42)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_14_value_2 /= (to_integer(slice0shift_search_0_0(44 downto 44)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_14_value_3 /= (to_integer(slice0shift_search_0_0(43 downto
+        43)) = 1)));
+      slice0cost_pixels_first_0_0_count_15 <= as_number((slice0cost_pixels_first_0_0_count_15_value /=
+        (to_integer(slice0shift_search_0_0(45 downto 45)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_15_value_2 /= (to_integer(slice0shift_search_0_0(47 downto 47)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_15_value_3 /= (to_integer(slice0shift_search_0_0(46 downto
+        46)) = 1)));
+      slice0cost_pixels_first_0_0_count_16 <= as_number((slice0cost_pixels_first_0_0_count_16_value /=
+        (to_integer(slice0shift_search_0_0(48 downto 48)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_16_value_2 /= (to_integer(slice0shift_search_0_0(50 downto 50)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_16_value_3 /= (to_integer(slice0shift_search_0_0(49 downto
+        49)) = 1)));
+      slice0cost_pixels_first_0_0_count_17 <= as_number((slice0cost_pixels_first_0_0_count_17_value /=
+        (to_integer(slice0shift_search_0_0(51 downto 51)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_17_value_2 /= (to_integer(slice0shift_search_0_0(53 downto 53)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_17_value_3 /= (to_integer(slice0shift_search_0_0(52 downto
+        52)) = 1)));
+      slice0cost_pixels_first_0_0_count_18 <= as_number((slice0cost_pixels_first_0_0_count_18_value /=
+        (to_integer(slice0shift_search_0_0(54 downto 54)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_18_value_2 /= (to_integer(slice0shift_search_0_0(56 downto 56)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_18_value_3 /= (to_integer(slice0shift_search_0_0(55 downto
+        55)) = 1)));
+      slice0cost_pixels_first_0_0_count_19 <= as_number((slice0cost_pixels_first_0_0_count_19_value /=
+        (to_integer(slice0shift_search_0_0(57 downto 57)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_19_value_2 /= (to_integer(slice0shift_search_0_0(59 downto 59)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_19_value_3 /= (to_integer(slice0shift_search_0_0(58 downto
+        58)) = 1)));
+      slice0cost_pixels_first_0_0_count_20 <= as_number(((to_integer(slice0shift_reference_0(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_search_0_0(61 downto 61)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_20_value /= (to_integer(slice0shift_search_0_0(60 downto 60)) =
+        1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice0shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_1(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice0shift_search_0_1(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_1(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_1(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
-      slice0cost_pixels_first_0_1_count_8 <= as_number(slice0cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_3);
-      slice0cost_pixels_first_0_1_count_9 <= as_number(slice0cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_3);
-      slice0cost_pixels_first_0_1_count_10 <= as_number(slice0cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_3);
-      slice0cost_pixels_first_0_1_count_11 <= as_number(slice0cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_3);
-      slice0cost_pixels_first_0_1_count_12 <= as_number(slice0cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_3);
-      slice0cost_pixels_first_0_1_count_13 <= as_number(slice0cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_3);
-      slice0cost_pixels_first_0_1_count_14 <= as_number(slice0cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_14_choice_3);
-      slice0cost_pixels_first_0_1_count_15 <= as_number(slice0cost_pixels_first_0_1_count_15_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_15_choice_3);
-      slice0cost_pixels_first_0_1_count_16 <= as_number(slice0cost_pixels_first_0_1_count_16_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_16_choice_3);
-      slice0cost_pixels_first_0_1_count_17 <= as_number(slice0cost_pixels_first_0_1_count_17_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_17_choice_3);
-      slice0cost_pixels_first_0_1_count_18 <= as_number(slice0cost_pixels_first_0_1_count_18_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_18_choice_3);
-      slice0cost_pixels_first_0_1_count_19 <= as_number(slice0cost_pixels_first_0_1_count_19_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_19_choice_3);
-      slice0cost_pixels_first_0_1_count_20 <= as_number(slice0cost_pixels_first_0_1_count_20_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_0_1(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_1(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice0shift_search_0_1(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_1(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_1(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice0shift_search_0_1(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_1(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_1(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice0shift_search_0_1(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_1(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_1(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice0shift_search_0_1(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_1(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_1(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice0shift_search_0_1(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_1(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_1(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice0shift_search_0_1(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_1(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_1(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice0shift_search_0_1(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_1(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_1(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice0shift_search_0_1(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_1(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_1(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice0shift_search_0_1(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_1(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_1(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice0shift_search_0_1(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_1(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_1(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice0shift_search_0_1(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_1(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_1(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice0shift_search_0_1(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_0_0_count_14_value)) + as_number(((to_integer(slice0shift_search_0_1(44 downto 44)) =
+        1) /= slice0cost_pixels_first_0_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_0_1(43 downto
+        43)) = 1) /= slice0cost_pixels_first_0_0_count_14_value_3));
+      slice0cost_pixels_first_0_1_count_15 <= as_number(((to_integer(slice0shift_search_0_1(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_0_0_count_15_value)) + as_number(((to_integer(slice0shift_search_0_1(47 downto 47)) =
+        1) /= slice0cost_pixels_first_0_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_0_1(46 downto
+        46)) = 1) /= slice0cost_pixels_first_0_0_count_15_value_3));
+      slice0cost_pixels_first_0_1_count_16 <= as_number(((to_integer(slice0shift_search_0_1(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_0_0_count_16_value)) + as_number(((to_integer(slice0shift_search_0_1(50 downto 50)) =
+        1) /= slice0cost_pixels_first_0_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_0_1(49 downto
+        49)) = 1) /= slice0cost_pixels_first_0_0_count_16_value_3));
+      slice0cost_pixels_first_0_1_count_17 <= as_number(((to_integer(slice0shift_search_0_1(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_0_0_count_17_value)) + as_number(((to_integer(slice0shift_search_0_1(53 downto 53)) =
+        1) /= slice0cost_pixels_first_0_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_0_1(52 downto
+        52)) = 1) /= slice0cost_pixels_first_0_0_count_17_value_3));
+      slice0cost_pixels_first_0_1_count_18 <= as_number(((to_integer(slice0shift_search_0_1(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_0_0_count_18_value)) + as_number(((to_integer(slice0shift_search_0_1(56 downto 56)) =
+        1) /= slice0cost_pixels_first_0_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_0_1(55 downto
+        55)) = 1) /= slice0cost_pixels_first_0_0_count_18_value_3));
+      slice0cost_pixels_first_0_1_count_19 <= as_number(((to_integer(slice0shift_search_0_1(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_0_0_count_19_value)) + as_number(((to_integer(slice0shift_search_0_1(59 downto 59)) =
+        1) /= slice0cost_pixels_first_0_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_0_1(58 downto
+        58)) = 1) /= slice0cost_pixels_first_0_0_count_19_value_3));
+      slice0cost_pixels_first_0_1_count_20 <= as_number(((to_integer(slice0shift_search_0_1(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_0(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(60
+        downto 60)) = 1) /= slice0cost_pixels_first_0_0_count_20_value));
       slice0cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice0shift_search_0_2(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_2(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((to_integer(slice0shift_search_0_2(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_2(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_2(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
-      slice0cost_pixels_first_0_2_count_8 <= as_number(slice0cost_pixels_first_0_2_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_3);
-      slice0cost_pixels_first_0_2_count_9 <= as_number(slice0cost_pixels_first_0_2_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_3);
-      slice0cost_pixels_first_0_2_count_10 <= as_number(slice0cost_pixels_first_0_2_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_3);
-      slice0cost_pixels_first_0_2_count_11 <= as_number(slice0cost_pixels_first_0_2_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_3);
-      slice0cost_pixels_first_0_2_count_12 <= as_number(slice0cost_pixels_first_0_2_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_3);
-      slice0cost_pixels_first_0_2_count_13 <= as_number(slice0cost_pixels_first_0_2_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_3);
-      slice0cost_pixels_first_0_2_count_14 <= as_number(slice0cost_pixels_first_0_2_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_14_choice_3);
-      slice0cost_pixels_first_0_2_count_15 <= as_number(slice0cost_pixels_first_0_2_count_15_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_15_choice_3);
-      slice0cost_pixels_first_0_2_count_16 <= as_number(slice0cost_pixels_first_0_2_count_16_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_16_choice_3);
-      slice0cost_pixels_first_0_2_count_17 <= as_number(slice0cost_pixels_first_0_2_count_17_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_17_choice_3);
-      slice0cost_pixels_first_0_2_count_18 <= as_number(slice0cost_pixels_first_0_2_count_18_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_18_choice_3);
-      slice0cost_pixels_first_0_2_count_19 <= as_number(slice0cost_pixels_first_0_2_count_19_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_19_choice_3);
-      slice0cost_pixels_first_0_2_count_20 <= as_number(slice0cost_pixels_first_0_2_count_20_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_0_2(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_2(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((to_integer(slice0shift_search_0_2(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_2(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_2(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((to_integer(slice0shift_search_0_2(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_2(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_2(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((to_integer(slice0shift_search_0_2(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_2(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_2(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((to_integer(slice0shift_search_0_2(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_2(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_2(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((to_integer(slice0shift_search_0_2(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_2(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_2(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_2_count_8 <= as_number(((to_integer(slice0shift_search_0_2(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_2(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_2(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_2_count_9 <= as_number(((to_integer(slice0shift_search_0_2(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_2(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_2(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_2_count_10 <= as_number(((to_integer(slice0shift_search_0_2(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_2(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_2(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_2_count_11 <= as_number(((to_integer(slice0shift_search_0_2(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_2(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_2(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_2_count_12 <= as_number(((to_integer(slice0shift_search_0_2(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_2(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_2(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_2_count_13 <= as_number(((to_integer(slice0shift_search_0_2(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_2(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_2(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_2_count_14 <= as_number(((to_integer(slice0shift_search_0_2(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_0_0_count_14_value)) + as_number(((to_integer(slice0shift_search_0_2(44 downto 44)) =
+        1) /= slice0cost_pixels_first_0_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_0_2(43 downto
+        43)) = 1) /= slice0cost_pixels_first_0_0_count_14_value_3));
+      slice0cost_pixels_first_0_2_count_15 <= as_number(((to_integer(slice0shift_search_0_2(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_0_0_count_15_value)) + as_number(((to_integer(slice0shift_search_0_2(47 downto 47)) =
+        1) /= slice0cost_pixels_first_0_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_0_2(46 downto
+        46)) = 1) /= slice0cost_pixels_first_0_0_count_15_value_3));
+      slice0cost_pixels_first_0_2_count_16 <= as_number(((to_integer(slice0shift_search_0_2(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_0_0_count_16_value)) + as_number(((to_integer(slice0shift_search_0_2(50 downto 50)) =
+        1) /= slice0cost_pixels_first_0_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_0_2(49 downto
+        49)) = 1) /= slice0cost_pixels_first_0_0_count_16_value_3));
+      slice0cost_pixels_first_0_2_count_17 <= as_number(((to_integer(slice0shift_search_0_2(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_0_0_count_17_value)) + as_number(((to_integer(slice0shift_search_0_2(53 downto 53)) =
+        1) /= slice0cost_pixels_first_0_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_0_2(52 downto
+        52)) = 1) /= slice0cost_pixels_first_0_0_count_17_value_3));
+      slice0cost_pixels_first_0_2_count_18 <= as_number(((to_integer(slice0shift_search_0_2(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_0_0_count_18_value)) + as_number(((to_integer(slice0shift_search_0_2(56 downto 56)) =
+        1) /= slice0cost_pixels_first_0_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_0_2(55 downto
+        55)) = 1) /= slice0cost_pixels_first_0_0_count_18_value_3));
+      slice0cost_pixels_first_0_2_count_19 <= as_number(((to_integer(slice0shift_search_0_2(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_0_0_count_19_value)) + as_number(((to_integer(slice0shift_search_0_2(59 downto 59)) =
+        1) /= slice0cost_pixels_first_0_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_0_2(58 downto
+        58)) = 1) /= slice0cost_pixels_first_0_0_count_19_value_3));
+      slice0cost_pixels_first_0_2_count_20 <= as_number(((to_integer(slice0shift_search_0_2(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_0(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(60
+        downto 60)) = 1) /= slice0cost_pixels_first_0_0_count_20_value));
       slice0cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice0shift_search_0_3(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_3(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((to_integer(slice0shift_search_0_3(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_3(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_3(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
-      slice0cost_pixels_first_0_3_count_8 <= as_number(slice0cost_pixels_first_0_3_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_3);
-      slice0cost_pixels_first_0_3_count_9 <= as_number(slice0cost_pixels_first_0_3_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_3);
-      slice0cost_pixels_first_0_3_count_10 <= as_number(slice0cost_pixels_first_0_3_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_3);
-      slice0cost_pixels_first_0_3_count_11 <= as_number(slice0cost_pixels_first_0_3_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_3);
-      slice0cost_pixels_first_0_3_count_12 <= as_number(slice0cost_pixels_first_0_3_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_3);
-      slice0cost_pixels_first_0_3_count_13 <= as_number(slice0cost_pixels_first_0_3_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_3);
-      slice0cost_pixels_first_0_3_count_14 <= as_number(slice0cost_pixels_first_0_3_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_14_choice_3);
-      slice0cost_pixels_first_0_3_count_15 <= as_number(slice0cost_pixels_first_0_3_count_15_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_15_choice_3);
-      slice0cost_pixels_first_0_3_count_16 <= as_number(slice0cost_pixels_first_0_3_count_16_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_16_choice_3);
-      slice0cost_pixels_first_0_3_count_17 <= as_number(slice0cost_pixels_first_0_3_count_17_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_17_choice_3);
-      slice0cost_pixels_first_0_3_count_18 <= as_number(slice0cost_pixels_first_0_3_count_18_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_18_choice_3);
-      slice0cost_pixels_first_0_3_count_19 <= as_number(slice0cost_pixels_first_0_3_count_19_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_19_choice_3);
-      slice0cost_pixels_first_0_3_count_20 <= as_number(slice0cost_pixels_first_0_3_count_20_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_0_3(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_3(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((to_integer(slice0shift_search_0_3(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_3(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_3(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((to_integer(slice0shift_search_0_3(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_3(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_3(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((to_integer(slice0shift_search_0_3(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_3(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_3(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((to_integer(slice0shift_search_0_3(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_3(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_3(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((to_integer(slice0shift_search_0_3(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_3(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_3(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_3_count_8 <= as_number(((to_integer(slice0shift_search_0_3(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_3(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_3(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_3_count_9 <= as_number(((to_integer(slice0shift_search_0_3(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_3(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_3(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_3_count_10 <= as_number(((to_integer(slice0shift_search_0_3(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_3(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_3(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_3_count_11 <= as_number(((to_integer(slice0shift_search_0_3(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_3(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_3(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_3_count_12 <= as_number(((to_integer(slice0shift_search_0_3(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_3(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_3(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_3_count_13 <= as_number(((to_integer(slice0shift_search_0_3(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_3(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_3(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_3_count_14 <= as_number(((to_integer(slice0shift_search_0_3(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_0_0_count_14_value)) + as_number(((to_integer(slice0shift_search_0_3(44 downto 44)) =
+        1) /= slice0cost_pixels_first_0_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_0_3(43 downto
+        43)) = 1) /= slice0cost_pixels_first_0_0_count_14_value_3));
+      slice0cost_pixels_first_0_3_count_15 <= as_number(((to_integer(slice0shift_search_0_3(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_0_0_count_15_value)) + as_number(((to_integer(slice0shift_search_0_3(47 downto 47)) =
+        1) /= slice0cost_pixels_first_0_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_0_3(46 downto
+        46)) = 1) /= slice0cost_pixels_first_0_0_count_15_value_3));
+      slice0cost_pixels_first_0_3_count_16 <= as_number(((to_integer(slice0shift_search_0_3(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_0_0_count_16_value)) + as_number(((to_integer(slice0shift_search_0_3(50 downto 50)) =
+        1) /= slice0cost_pixels_first_0_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_0_3(49 downto
+        49)) = 1) /= slice0cost_pixels_first_0_0_count_16_value_3));
+      slice0cost_pixels_first_0_3_count_17 <= as_number(((to_integer(slice0shift_search_0_3(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_0_0_count_17_value)) + as_number(((to_integer(slice0shift_search_0_3(53 downto 53)) =
+        1) /= slice0cost_pixels_first_0_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_0_3(52 downto
+        52)) = 1) /= slice0cost_pixels_first_0_0_count_17_value_3));
+      slice0cost_pixels_first_0_3_count_18 <= as_number(((to_integer(slice0shift_search_0_3(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_0_0_count_18_value)) + as_number(((to_integer(slice0shift_search_0_3(56 downto 56)) =
+        1) /= slice0cost_pixels_first_0_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_0_3(55 downto
+        55)) = 1) /= slice0cost_pixels_first_0_0_count_18_value_3));
+      slice0cost_pixels_first_0_3_count_19 <= as_number(((to_integer(slice0shift_search_0_3(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_0_0_count_19_value)) + as_number(((to_integer(slice0shift_search_0_3(59 downto 59)) =
+        1) /= slice0cost_pixels_first_0_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_0_3(58 downto
+        58)) = 1) /= slice0cost_pixels_first_0_0_count_19_value_3));
+      slice0cost_pixels_first_0_3_count_20 <= as_number(((to_integer(slice0shift_search_0_3(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_0(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(60
+        downto 60)) = 1) /= slice0cost_pixels_first_0_0_count_20_value));
       slice0cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice0shift_search_0_4(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_4(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((to_integer(slice0shift_search_0_4(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_4(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_4(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
-      slice0cost_pixels_first_0_4_count_8 <= as_number(slice0cost_pixels_first_0_4_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_3);
-      slice0cost_pixels_first_0_4_count_9 <= as_number(slice0cost_pixels_first_0_4_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_3);
-      slice0cost_pixels_first_0_4_count_10 <= as_number(slice0cost_pixels_first_0_4_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_3);
-      slice0cost_pixels_first_0_4_count_11 <= as_number(slice0cost_pixels_first_0_4_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_3);
-      slice0cost_pixels_first_0_4_count_12 <= as_number(slice0cost_pixels_first_0_4_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_3);
-      slice0cost_pixels_first_0_4_count_13 <= as_number(slice0cost_pixels_first_0_4_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_3);
-      slice0cost_pixels_first_0_4_count_14 <= as_number(slice0cost_pixels_first_0_4_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_14_choice_3);
-      slice0cost_pixels_first_0_4_count_15 <= as_number(slice0cost_pixels_first_0_4_count_15_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_15_choice_3);
-      slice0cost_pixels_first_0_4_count_16 <= as_number(slice0cost_pixels_first_0_4_count_16_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_16_choice_3);
-      slice0cost_pixels_first_0_4_count_17 <= as_number(slice0cost_pixels_first_0_4_count_17_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_17_choice_3);
-      slice0cost_pixels_first_0_4_count_18 <= as_number(slice0cost_pixels_first_0_4_count_18_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_18_choice_3);
-      slice0cost_pixels_first_0_4_count_19 <= as_number(slice0cost_pixels_first_0_4_count_19_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_19_choice_3);
-      slice0cost_pixels_first_0_4_count_20 <= as_number(slice0cost_pixels_first_0_4_count_20_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_0_4(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_4(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((to_integer(slice0shift_search_0_4(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_4(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_4(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((to_integer(slice0shift_search_0_4(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_4(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_4(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((to_integer(slice0shift_search_0_4(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_4(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_4(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((to_integer(slice0shift_search_0_4(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_4(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_4(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((to_integer(slice0shift_search_0_4(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_4(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_4(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_4_count_8 <= as_number(((to_integer(slice0shift_search_0_4(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_4(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_4(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_4_count_9 <= as_number(((to_integer(slice0shift_search_0_4(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_4(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_4(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_4_count_10 <= as_number(((to_integer(slice0shift_search_0_4(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_4(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_4(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_4_count_11 <= as_number(((to_integer(slice0shift_search_0_4(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_4(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_4(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_4_count_12 <= as_number(((to_integer(slice0shift_search_0_4(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_4(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_4(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_4_count_13 <= as_number(((to_integer(slice0shift_search_0_4(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_4(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_4(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_4_count_14 <= as_number(((to_integer(slice0shift_search_0_4(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_0_0_count_14_value)) + as_number(((to_integer(slice0shift_search_0_4(44 downto 44)) =
+        1) /= slice0cost_pixels_first_0_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_0_4(43 downto
+        43)) = 1) /= slice0cost_pixels_first_0_0_count_14_value_3));
+      slice0cost_pixels_first_0_4_count_15 <= as_number(((to_integer(slice0shift_search_0_4(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_0_0_count_15_value)) + as_number(((to_integer(slice0shift_search_0_4(47 downto 47)) =
+        1) /= slice0cost_pixels_first_0_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_0_4(46 downto
+        46)) = 1) /= slice0cost_pixels_first_0_0_count_15_value_3));
+      slice0cost_pixels_first_0_4_count_16 <= as_number(((to_integer(slice0shift_search_0_4(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_0_0_count_16_value)) + as_number(((to_integer(slice0shift_search_0_4(50 downto 50)) =
+        1) /= slice0cost_pixels_first_0_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_0_4(49 downto
+        49)) = 1) /= slice0cost_pixels_first_0_0_count_16_value_3));
+      slice0cost_pixels_first_0_4_count_17 <= as_number(((to_integer(slice0shift_search_0_4(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_0_0_count_17_value)) + as_number(((to_integer(slice0shift_search_0_4(53 downto 53)) =
+        1) /= slice0cost_pixels_first_0_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_0_4(52 downto
+        52)) = 1) /= slice0cost_pixels_first_0_0_count_17_value_3));
+      slice0cost_pixels_first_0_4_count_18 <= as_number(((to_integer(slice0shift_search_0_4(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_0_0_count_18_value)) + as_number(((to_integer(slice0shift_search_0_4(56 downto 56)) =
+        1) /= slice0cost_pixels_first_0_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_0_4(55 downto
+        55)) = 1) /= slice0cost_pixels_first_0_0_count_18_value_3));
+      slice0cost_pixels_first_0_4_count_19 <= as_number(((to_integer(slice0shift_search_0_4(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_0_0_count_19_value)) + as_number(((to_integer(slice0shift_search_0_4(59 downto 59)) =
+        1) /= slice0cost_pixels_first_0_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_0_4(58 downto
+        58)) = 1) /= slice0cost_pixels_first_0_0_count_19_value_3));
+      slice0cost_pixels_first_0_4_count_20 <= as_number(((to_integer(slice0shift_search_0_4(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_0(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(60
+        downto 60)) = 1) /= slice0cost_pixels_first_0_0_count_20_value));
       slice0cost_pixels_first_1_0_count_0 <= as_number(((to_integer(slice0shift_search_1_0(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice)
-        + as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value
+        /= (to_integer(slice0shift_search_1_0(2 downto 2)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_0_value_2 /= (to_integer(slice0shift_search_1_0(1 downto 1)) =
+        1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (to_integer(slice0shift_search_1_0(3 downto 3)) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2
+        /= (to_integer(slice0shift_search_1_0(5 downto 5)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_1_value_3 /= (to_integer(slice0shift_search_1_0(4 downto 4)) =
+        1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_1_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_1(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
-      slice0cost_pixels_first_1_0_count_8 <= as_number(slice0cost_pixels_first_1_0_count_8_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_8_choice_3);
-      slice0cost_pixels_first_1_0_count_9 <= as_number(slice0cost_pixels_first_1_0_count_9_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_9_choice_3);
-      slice0cost_pixels_first_1_0_count_10 <= as_number(slice0cost_pixels_first_1_0_count_10_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_10_choice_3);
-      slice0cost_pixels_first_1_0_count_11 <= as_number(slice0cost_pixels_first_1_0_count_11_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_11_choice_3);
-      slice0cost_pixels_first_1_0_count_12 <= as_number(slice0cost_pixels_first_1_0_count_12_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_12_choice_3);
-      slice0cost_pixels_first_1_0_count_13 <= as_number(slice0cost_pixels_first_1_0_count_13_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_13_choice_3);
-      slice0cost_pixels_first_1_0_count_14 <= as_number(slice0cost_pixels_first_1_0_count_14_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_14_choice_3);
-      slice0cost_pixels_first_1_0_count_15 <= as_number(slice0cost_pixels_first_1_0_count_15_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_15_choice_3);
-      slice0cost_pixels_first_1_0_count_16 <= as_number(slice0cost_pixels_first_1_0_count_16_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_16_choice_3);
-      slice0cost_pixels_first_1_0_count_17 <= as_number(slice0cost_pixels_first_1_0_count_17_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_17_choice_3);
-      slice0cost_pixels_first_1_0_count_18 <= as_number(slice0cost_pixels_first_1_0_count_18_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_18_choice_3);
-      slice0cost_pixels_first_1_0_count_19 <= as_number(slice0cost_pixels_first_1_0_count_19_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_19_choice_3);
-      slice0cost_pixels_first_1_0_count_20 <= as_number(slice0cost_pixels_first_1_0_count_20_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_20_choice_2);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (to_integer(slice0shift_search_1_0(8 downto 8)) = 1)))
+        + as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (to_integer(slice0shift_search_1_0(6 downto 6)) =
+        1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (to_integer(slice0shift_search_1_0(9 downto 9)) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2
+        /= (to_integer(slice0shift_search_1_0(11 downto 11)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_3_value_3 /= (to_integer(slice0shift_search_1_0(10 downto 10)) =
+        1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (to_integer(slice0shift_search_1_0(12 downto 12)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_4_value_2 /= (to_integer(slice0shift_search_1_0(14 downto 14)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /= (to_integer(slice0shift_search_1_0(13 downto
+        13)) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (to_integer(slice0shift_search_1_0(15 downto 15)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_5_value_2 /= (to_integer(slice0shift_search_1_0(17 downto 17)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /= (to_integer(slice0shift_search_1_0(16 downto
+        16)) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (to_integer(slice0shift_search_1_0(18 downto 18)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_6_value_2 /= (to_integer(slice0shift_search_1_0(20 downto 20)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /= (to_integer(slice0shift_search_1_0(19 downto
+        19)) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (to_integer(slice0shift_search_1_0(21 downto 21)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_7_value_2 /= (to_integer(slice0shift_search_1_0(23 downto 23)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_3 /= (to_integer(slice0shift_search_1_0(22 downto
+        22)) = 1)));
+      slice0cost_pixels_first_1_0_count_8 <= as_number((slice0cost_pixels_first_1_0_count_8_value /=
+        (to_integer(slice0shift_search_1_0(24 downto 24)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_8_value_2 /= (to_integer(slice0shift_search_1_0(26 downto 26)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_8_value_3 /= (to_integer(slice0shift_search_1_0(25 downto
+        25)) = 1)));
+      slice0cost_pixels_first_1_0_count_9 <= as_number((slice0cost_pixels_first_1_0_count_9_value /=
+        (to_integer(slice0shift_search_1_0(27 downto 27)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_9_value_2 /= (to_integer(slice0shift_search_1_0(29 downto 29)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_9_value_3 /= (to_integer(slice0shift_search_1_0(28 downto
+        28)) = 1)));
+      slice0cost_pixels_first_1_0_count_10 <= as_number((slice0cost_pixels_first_1_0_count_10_value /=
+        (to_integer(slice0shift_search_1_0(30 downto 30)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_10_value_2 /= (to_integer(slice0shift_search_1_0(32 downto 32)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_10_value_3 /= (to_integer(slice0shift_search_1_0(31 downto
+        31)) = 1)));
+      slice0cost_pixels_first_1_0_count_11 <= as_number((slice0cost_pixels_first_1_0_count_11_value /=
+        (to_integer(slice0shift_search_1_0(33 downto 33)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_11_value_2 /= (to_integer(slice0shift_search_1_0(35 downto 35)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_11_value_3 /= (to_integer(slice0shift_search_1_0(34 downto
+        34)) = 1)));
+      slice0cost_pixels_first_1_0_count_12 <= as_number((slice0cost_pixels_first_1_0_count_12_value /=
+        (to_integer(slice0shift_search_1_0(36 downto 36)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_12_value_2 /= (to_integer(slice0shift_search_1_0(38 downto 38)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_12_value_3 /= (to_integer(slice0shift_search_1_0(37 downto
+        37)) = 1)));
+      slice0cost_pixels_first_1_0_count_13 <= as_number((slice0cost_pixels_first_1_0_count_13_value /=
+        (to_integer(slice0shift_search_1_0(39 downto 39)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_13_value_2 /= (to_integer(slice0shift_search_1_0(41 downto 41)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_13_value_3 /= (to_integer(slice0shift_search_1_0(40 downto
+        40)) = 1)));
+      slice0cost_pixels_first_1_0_count_14 <= as_number((slice0cost_pixels_first_1_0_count_14_value /=
+        (to_integer(slice0shift_search_1_0(42 downto 42)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_14_value_2 /= (to_integer(slice0shift_search_1_0(44 downto 44)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_14_value_3 /= (to_integer(slice0shift_search_1_0(43 downto
+        43)) = 1)));
+      slice0cost_pixels_first_1_0_count_15 <= as_number((slice0cost_pixels_first_1_0_count_15_value /=
+        (to_integer(slice0shift_search_1_0(45 downto 45)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_15_value_2 /= (to_integer(slice0shift_search_1_0(47 downto 47)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_15_value_3 /= (to_integer(slice0shift_search_1_0(46 downto
+        46)) = 1)));
+      slice0cost_pixels_first_1_0_count_16 <= as_number((slice0cost_pixels_first_1_0_count_16_value /=
+        (to_integer(slice0shift_search_1_0(48 downto 48)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_16_value_2 /= (to_integer(slice0shift_search_1_0(50 downto 50)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_16_value_3 /= (to_integer(slice0shift_search_1_0(49 downto
+        49)) = 1)));
+      slice0cost_pixels_first_1_0_count_17 <= as_number((slice0cost_pixels_first_1_0_count_17_value /=
+        (to_integer(slice0shift_search_1_0(51 downto 51)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_17_value_2 /= (to_integer(slice0shift_search_1_0(53 downto 53)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_17_value_3 /= (to_integer(slice0shift_search_1_0(52 downto
+        52)) = 1)));
+      slice0cost_pixels_first_1_0_count_18 <= as_number((slice0cost_pixels_first_1_0_count_18_value /=
+        (to_integer(slice0shift_search_1_0(54 downto 54)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_18_value_2 /= (to_integer(slice0shift_search_1_0(56 downto 56)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_18_value_3 /= (to_integer(slice0shift_search_1_0(55 downto
+        55)) = 1)));
+      slice0cost_pixels_first_1_0_count_19 <= as_number((slice0cost_pixels_first_1_0_count_19_value /=
+        (to_integer(slice0shift_search_1_0(57 downto 57)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_19_value_2 /= (to_integer(slice0shift_search_1_0(59 downto 59)) =
+        1))) + as_number((slice0cost_pixels_first_1_0_count_19_value_3 /= (to_integer(slice0shift_search_1_0(58 downto
+        58)) = 1)));
+      slice0cost_pixels_first_1_0_count_20 <= as_number(((to_integer(slice0shift_reference_1(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_search_1_0(61 downto 61)) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_20_value /= (to_integer(slice0shift_search_1_0(60 downto 60)) =
+        1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number(((to_integer(slice0shift_search_1_1(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice)
-        + as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_1_1(2
+        downto 2)) = 1) /= slice0cost_pixels_first_1_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_1_1(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((to_integer(slice0shift_search_1_1(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((to_integer(slice0shift_search_1_1(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_1_1(4 downto 4)) =
+        1) /= slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_1_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_1(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
-      slice0cost_pixels_first_1_1_count_8 <= as_number(slice0cost_pixels_first_1_1_count_8_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_8_choice_3);
-      slice0cost_pixels_first_1_1_count_9 <= as_number(slice0cost_pixels_first_1_1_count_9_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_9_choice_3);
-      slice0cost_pixels_first_1_1_count_10 <= as_number(slice0cost_pixels_first_1_1_count_10_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_10_choice_3);
-      slice0cost_pixels_first_1_1_count_11 <= as_number(slice0cost_pixels_first_1_1_count_11_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_11_choice_3);
-      slice0cost_pixels_first_1_1_count_12 <= as_number(slice0cost_pixels_first_1_1_count_12_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_12_choice_3);
-      slice0cost_pixels_first_1_1_count_13 <= as_number(slice0cost_pixels_first_1_1_count_13_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_13_choice_3);
-      slice0cost_pixels_first_1_1_count_14 <= as_number(slice0cost_pixels_first_1_1_count_14_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_14_choice_3);
-      slice0cost_pixels_first_1_1_count_15 <= as_number(slice0cost_pixels_first_1_1_count_15_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_15_choice_3);
-      slice0cost_pixels_first_1_1_count_16 <= as_number(slice0cost_pixels_first_1_1_count_16_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_16_choice_3);
-      slice0cost_pixels_first_1_1_count_17 <= as_number(slice0cost_pixels_first_1_1_count_17_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_17_choice_3);
-      slice0cost_pixels_first_1_1_count_18 <= as_number(slice0cost_pixels_first_1_1_count_18_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_18_choice_3);
-      slice0cost_pixels_first_1_1_count_19 <= as_number(slice0cost_pixels_first_1_1_count_19_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_19_choice_3);
-      slice0cost_pixels_first_1_1_count_20 <= as_number(slice0cost_pixels_first_1_1_count_20_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_1_1(8 downto 8)) = 1) /= slice0cost_pixels_first_1_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_1_1(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((to_integer(slice0shift_search_1_1(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((to_integer(slice0shift_search_1_1(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_1_1(10 downto 10))
+        = 1) /= slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((to_integer(slice0shift_search_1_1(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((to_integer(slice0shift_search_1_1(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_1_1(13 downto 13))
+        = 1) /= slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((to_integer(slice0shift_search_1_1(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((to_integer(slice0shift_search_1_1(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_1_1(16 downto 16))
+        = 1) /= slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((to_integer(slice0shift_search_1_1(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((to_integer(slice0shift_search_1_1(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_1_1(19 downto 19))
+        = 1) /= slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((to_integer(slice0shift_search_1_1(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((to_integer(slice0shift_search_1_1(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_1_1(22 downto 22))
+        = 1) /= slice0cost_pixels_first_1_0_count_7_value_3));
+      slice0cost_pixels_first_1_1_count_8 <= as_number(((to_integer(slice0shift_search_1_1(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_1_0_count_8_value)) + as_number(((to_integer(slice0shift_search_1_1(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_1_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_1_1(25 downto 25))
+        = 1) /= slice0cost_pixels_first_1_0_count_8_value_3));
+      slice0cost_pixels_first_1_1_count_9 <= as_number(((to_integer(slice0shift_search_1_1(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_1_0_count_9_value)) + as_number(((to_integer(slice0shift_search_1_1(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_1_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_1_1(28 downto 28))
+        = 1) /= slice0cost_pixels_first_1_0_count_9_value_3));
+      slice0cost_pixels_first_1_1_count_10 <= as_number(((to_integer(slice0shift_search_1_1(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_1_0_count_10_value)) + as_number(((to_integer(slice0shift_search_1_1(32 downto 32)) =
+        1) /= slice0cost_pixels_first_1_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_1_1(31 downto
+        31)) = 1) /= slice0cost_pixels_first_1_0_count_10_value_3));
+      slice0cost_pixels_first_1_1_count_11 <= as_number(((to_integer(slice0shift_search_1_1(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_1_0_count_11_value)) + as_number(((to_integer(slice0shift_search_1_1(35 downto 35)) =
+        1) /= slice0cost_pixels_first_1_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_1_1(34 downto
+        34)) = 1) /= slice0cost_pixels_first_1_0_count_11_value_3));
+      slice0cost_pixels_first_1_1_count_12 <= as_number(((to_integer(slice0shift_search_1_1(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_1_0_count_12_value)) + as_number(((to_integer(slice0shift_search_1_1(38 downto 38)) =
+        1) /= slice0cost_pixels_first_1_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_1_1(37 downto
+        37)) = 1) /= slice0cost_pixels_first_1_0_count_12_value_3));
+      slice0cost_pixels_first_1_1_count_13 <= as_number(((to_integer(slice0shift_search_1_1(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_1_0_count_13_value)) + as_number(((to_integer(slice0shift_search_1_1(41 downto 41)) =
+        1) /= slice0cost_pixels_first_1_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_1_1(40 downto
+        40)) = 1) /= slice0cost_pixels_first_1_0_count_13_value_3));
+      slice0cost_pixels_first_1_1_count_14 <= as_number(((to_integer(slice0shift_search_1_1(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_1_0_count_14_value)) + as_number(((to_integer(slice0shift_search_1_1(44 downto 44)) =
+        1) /= slice0cost_pixels_first_1_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_1_1(43 downto
+        43)) = 1) /= slice0cost_pixels_first_1_0_count_14_value_3));
+      slice0cost_pixels_first_1_1_count_15 <= as_number(((to_integer(slice0shift_search_1_1(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_1_0_count_15_value)) + as_number(((to_integer(slice0shift_search_1_1(47 downto 47)) =
+        1) /= slice0cost_pixels_first_1_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_1_1(46 downto
+        46)) = 1) /= slice0cost_pixels_first_1_0_count_15_value_3));
+      slice0cost_pixels_first_1_1_count_16 <= as_number(((to_integer(slice0shift_search_1_1(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_1_0_count_16_value)) + as_number(((to_integer(slice0shift_search_1_1(50 downto 50)) =
+        1) /= slice0cost_pixels_first_1_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_1_1(49 downto
+        49)) = 1) /= slice0cost_pixels_first_1_0_count_16_value_3));
+      slice0cost_pixels_first_1_1_count_17 <= as_number(((to_integer(slice0shift_search_1_1(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_1_0_count_17_value)) + as_number(((to_integer(slice0shift_search_1_1(53 downto 53)) =
+        1) /= slice0cost_pixels_first_1_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_1_1(52 downto
+        52)) = 1) /= slice0cost_pixels_first_1_0_count_17_value_3));
+      slice0cost_pixels_first_1_1_count_18 <= as_number(((to_integer(slice0shift_search_1_1(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_1_0_count_18_value)) + as_number(((to_integer(slice0shift_search_1_1(56 downto 56)) =
+        1) /= slice0cost_pixels_first_1_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_1_1(55 downto
+        55)) = 1) /= slice0cost_pixels_first_1_0_count_18_value_3));
+      slice0cost_pixels_first_1_1_count_19 <= as_number(((to_integer(slice0shift_search_1_1(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_1_0_count_19_value)) + as_number(((to_integer(slice0shift_search_1_1(59 downto 59)) =
+        1) /= slice0cost_pixels_first_1_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_1_1(58 downto
+        58)) = 1) /= slice0cost_pixels_first_1_0_count_19_value_3));
+      slice0cost_pixels_first_1_1_count_20 <= as_number(((to_integer(slice0shift_search_1_1(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_1(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_1_1(60
+        downto 60)) = 1) /= slice0cost_pixels_first_1_0_count_20_value));
       slice0cost_pixels_first_1_2_count_0 <= as_number(((to_integer(slice0shift_search_1_2(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice)
-        + as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_1_2(2
+        downto 2)) = 1) /= slice0cost_pixels_first_1_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_1_2(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((to_integer(slice0shift_search_1_2(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((to_integer(slice0shift_search_1_2(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_1_2(4 downto 4)) =
+        1) /= slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_1_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_1(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
-      slice0cost_pixels_first_1_2_count_8 <= as_number(slice0cost_pixels_first_1_2_count_8_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_8_choice_3);
-      slice0cost_pixels_first_1_2_count_9 <= as_number(slice0cost_pixels_first_1_2_count_9_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_9_choice_3);
-      slice0cost_pixels_first_1_2_count_10 <= as_number(slice0cost_pixels_first_1_2_count_10_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_10_choice_3);
-      slice0cost_pixels_first_1_2_count_11 <= as_number(slice0cost_pixels_first_1_2_count_11_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_11_choice_3);
-      slice0cost_pixels_first_1_2_count_12 <= as_number(slice0cost_pixels_first_1_2_count_12_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_12_choice_3);
-      slice0cost_pixels_first_1_2_count_13 <= as_number(slice0cost_pixels_first_1_2_count_13_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_13_choice_3);
-      slice0cost_pixels_first_1_2_count_14 <= as_number(slice0cost_pixels_first_1_2_count_14_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_14_choice_3);
-      slice0cost_pixels_first_1_2_count_15 <= as_number(slice0cost_pixels_first_1_2_count_15_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_15_choice_3);
-      slice0cost_pixels_first_1_2_count_16 <= as_number(slice0cost_pixels_first_1_2_count_16_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_16_choice_3);
-      slice0cost_pixels_first_1_2_count_17 <= as_number(slice0cost_pixels_first_1_2_count_17_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_17_choice_3);
-      slice0cost_pixels_first_1_2_count_18 <= as_number(slice0cost_pixels_first_1_2_count_18_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_18_choice_3);
-      slice0cost_pixels_first_1_2_count_19 <= as_number(slice0cost_pixels_first_1_2_count_19_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_19_choice_3);
-      slice0cost_pixels_first_1_2_count_20 <= as_number(slice0cost_pixels_first_1_2_count_20_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_1_2(8 downto 8)) = 1) /= slice0cost_pixels_first_1_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_1_2(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((to_integer(slice0shift_search_1_2(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((to_integer(slice0shift_search_1_2(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_1_2(10 downto 10))
+        = 1) /= slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((to_integer(slice0shift_search_1_2(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((to_integer(slice0shift_search_1_2(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_1_2(13 downto 13))
+        = 1) /= slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((to_integer(slice0shift_search_1_2(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((to_integer(slice0shift_search_1_2(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_1_2(16 downto 16))
+        = 1) /= slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((to_integer(slice0shift_search_1_2(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((to_integer(slice0shift_search_1_2(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_1_2(19 downto 19))
+        = 1) /= slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((to_integer(slice0shift_search_1_2(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((to_integer(slice0shift_search_1_2(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_1_2(22 downto 22))
+        = 1) /= slice0cost_pixels_first_1_0_count_7_value_3));
+      slice0cost_pixels_first_1_2_count_8 <= as_number(((to_integer(slice0shift_search_1_2(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_1_0_count_8_value)) + as_number(((to_integer(slice0shift_search_1_2(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_1_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_1_2(25 downto 25))
+        = 1) /= slice0cost_pixels_first_1_0_count_8_value_3));
+      slice0cost_pixels_first_1_2_count_9 <= as_number(((to_integer(slice0shift_search_1_2(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_1_0_count_9_value)) + as_number(((to_integer(slice0shift_search_1_2(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_1_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_1_2(28 downto 28))
+        = 1) /= slice0cost_pixels_first_1_0_count_9_value_3));
+      slice0cost_pixels_first_1_2_count_10 <= as_number(((to_integer(slice0shift_search_1_2(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_1_0_count_10_value)) + as_number(((to_integer(slice0shift_search_1_2(32 downto 32)) =
+        1) /= slice0cost_pixels_first_1_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_1_2(31 downto
+        31)) = 1) /= slice0cost_pixels_first_1_0_count_10_value_3));
+      slice0cost_pixels_first_1_2_count_11 <= as_number(((to_integer(slice0shift_search_1_2(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_1_0_count_11_value)) + as_number(((to_integer(slice0shift_search_1_2(35 downto 35)) =
+        1) /= slice0cost_pixels_first_1_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_1_2(34 downto
+        34)) = 1) /= slice0cost_pixels_first_1_0_count_11_value_3));
+      slice0cost_pixels_first_1_2_count_12 <= as_number(((to_integer(slice0shift_search_1_2(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_1_0_count_12_value)) + as_number(((to_integer(slice0shift_search_1_2(38 downto 38)) =
+        1) /= slice0cost_pixels_first_1_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_1_2(37 downto
+        37)) = 1) /= slice0cost_pixels_first_1_0_count_12_value_3));
+      slice0cost_pixels_first_1_2_count_13 <= as_number(((to_integer(slice0shift_search_1_2(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_1_0_count_13_value)) + as_number(((to_integer(slice0shift_search_1_2(41 downto 41)) =
+        1) /= slice0cost_pixels_first_1_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_1_2(40 downto
+        40)) = 1) /= slice0cost_pixels_first_1_0_count_13_value_3));
+      slice0cost_pixels_first_1_2_count_14 <= as_number(((to_integer(slice0shift_search_1_2(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_1_0_count_14_value)) + as_number(((to_integer(slice0shift_search_1_2(44 downto 44)) =
+        1) /= slice0cost_pixels_first_1_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_1_2(43 downto
+        43)) = 1) /= slice0cost_pixels_first_1_0_count_14_value_3));
+      slice0cost_pixels_first_1_2_count_15 <= as_number(((to_integer(slice0shift_search_1_2(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_1_0_count_15_value)) + as_number(((to_integer(slice0shift_search_1_2(47 downto 47)) =
+        1) /= slice0cost_pixels_first_1_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_1_2(46 downto
+        46)) = 1) /= slice0cost_pixels_first_1_0_count_15_value_3));
+      slice0cost_pixels_first_1_2_count_16 <= as_number(((to_integer(slice0shift_search_1_2(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_1_0_count_16_value)) + as_number(((to_integer(slice0shift_search_1_2(50 downto 50)) =
+        1) /= slice0cost_pixels_first_1_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_1_2(49 downto
+        49)) = 1) /= slice0cost_pixels_first_1_0_count_16_value_3));
+      slice0cost_pixels_first_1_2_count_17 <= as_number(((to_integer(slice0shift_search_1_2(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_1_0_count_17_value)) + as_number(((to_integer(slice0shift_search_1_2(53 downto 53)) =
+        1) /= slice0cost_pixels_first_1_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_1_2(52 downto
+        52)) = 1) /= slice0cost_pixels_first_1_0_count_17_value_3));
+      slice0cost_pixels_first_1_2_count_18 <= as_number(((to_integer(slice0shift_search_1_2(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_1_0_count_18_value)) + as_number(((to_integer(slice0shift_search_1_2(56 downto 56)) =
+        1) /= slice0cost_pixels_first_1_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_1_2(55 downto
+        55)) = 1) /= slice0cost_pixels_first_1_0_count_18_value_3));
+      slice0cost_pixels_first_1_2_count_19 <= as_number(((to_integer(slice0shift_search_1_2(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_1_0_count_19_value)) + as_number(((to_integer(slice0shift_search_1_2(59 downto 59)) =
+        1) /= slice0cost_pixels_first_1_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_1_2(58 downto
+        58)) = 1) /= slice0cost_pixels_first_1_0_count_19_value_3));
+      slice0cost_pixels_first_1_2_count_20 <= as_number(((to_integer(slice0shift_search_1_2(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_1(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_1_2(60
+        downto 60)) = 1) /= slice0cost_pixels_first_1_0_count_20_value));
       slice0cost_pixels_first_1_3_count_0 <= as_number(((to_integer(slice0shift_search_1_3(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_1_3_count_0_choice)
-        + as_number(slice0cost_pixels_first_1_3_count_0_choice_2);
-      slice0cost_pixels_first_1_3_count_1 <= as_number(slice0cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_3);
+        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_1_3(2
+        downto 2)) = 1) /= slice0cost_pixels_first_1_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_1_3(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((to_integer(slice0shift_search_1_3(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((to_integer(slice0shift_search_1_3(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_1_3(4 downto 4)) =
+        1) /= slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_1_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_1(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_3_count_2_choice) + as_number(slice0cost_pixels_first_1_3_count_2_choice_2);
-      slice0cost_pixels_first_1_3_count_3 <= as_number(slice0cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_3);
-      slice0cost_pixels_first_1_3_count_4 <= as_number(slice0cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_3);
-      slice0cost_pixels_first_1_3_count_5 <= as_number(slice0cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_3);
-      slice0cost_pixels_first_1_3_count_6 <= as_number(slice0cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_3);
-      slice0cost_pixels_first_1_3_count_7 <= as_number(slice0cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_3);
-      slice0cost_pixels_first_1_3_count_8 <= as_number(slice0cost_pixels_first_1_3_count_8_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_8_choice_3);
-      slice0cost_pixels_first_1_3_count_9 <= as_number(slice0cost_pixels_first_1_3_count_9_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_9_choice_3);
-      slice0cost_pixels_first_1_3_count_10 <= as_number(slice0cost_pixels_first_1_3_count_10_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_10_choice_3);
-      slice0cost_pixels_first_1_3_count_11 <= as_number(slice0cost_pixels_first_1_3_count_11_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_11_choice_3);
-      slice0cost_pixels_first_1_3_count_12 <= as_number(slice0cost_pixels_first_1_3_count_12_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_12_choice_3);
-      slice0cost_pixels_first_1_3_count_13 <= as_number(slice0cost_pixels_first_1_3_count_13_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_13_choice_3);
-      slice0cost_pixels_first_1_3_count_14 <= as_number(slice0cost_pixels_first_1_3_count_14_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_14_choice_3);
-      slice0cost_pixels_first_1_3_count_15 <= as_number(slice0cost_pixels_first_1_3_count_15_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_15_choice_3);
-      slice0cost_pixels_first_1_3_count_16 <= as_number(slice0cost_pixels_first_1_3_count_16_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_16_choice_3);
-      slice0cost_pixels_first_1_3_count_17 <= as_number(slice0cost_pixels_first_1_3_count_17_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_17_choice_3);
-      slice0cost_pixels_first_1_3_count_18 <= as_number(slice0cost_pixels_first_1_3_count_18_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_18_choice_3);
-      slice0cost_pixels_first_1_3_count_19 <= as_number(slice0cost_pixels_first_1_3_count_19_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_19_choice_3);
-      slice0cost_pixels_first_1_3_count_20 <= as_number(slice0cost_pixels_first_1_3_count_20_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_1_3(8 downto 8)) = 1) /= slice0cost_pixels_first_1_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_1_3(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((to_integer(slice0shift_search_1_3(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((to_integer(slice0shift_search_1_3(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_1_3(10 downto 10))
+        = 1) /= slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((to_integer(slice0shift_search_1_3(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((to_integer(slice0shift_search_1_3(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_1_3(13 downto 13))
+        = 1) /= slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((to_integer(slice0shift_search_1_3(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((to_integer(slice0shift_search_1_3(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_1_3(16 downto 16))
+        = 1) /= slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((to_integer(slice0shift_search_1_3(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((to_integer(slice0shift_search_1_3(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_1_3(19 downto 19))
+        = 1) /= slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((to_integer(slice0shift_search_1_3(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((to_integer(slice0shift_search_1_3(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_1_3(22 downto 22))
+        = 1) /= slice0cost_pixels_first_1_0_count_7_value_3));
+      slice0cost_pixels_first_1_3_count_8 <= as_number(((to_integer(slice0shift_search_1_3(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_1_0_count_8_value)) + as_number(((to_integer(slice0shift_search_1_3(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_1_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_1_3(25 downto 25))
+        = 1) /= slice0cost_pixels_first_1_0_count_8_value_3));
+      slice0cost_pixels_first_1_3_count_9 <= as_number(((to_integer(slice0shift_search_1_3(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_1_0_count_9_value)) + as_number(((to_integer(slice0shift_search_1_3(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_1_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_1_3(28 downto 28))
+        = 1) /= slice0cost_pixels_first_1_0_count_9_value_3));
+      slice0cost_pixels_first_1_3_count_10 <= as_number(((to_integer(slice0shift_search_1_3(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_1_0_count_10_value)) + as_number(((to_integer(slice0shift_search_1_3(32 downto 32)) =
+        1) /= slice0cost_pixels_first_1_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_1_3(31 downto
+        31)) = 1) /= slice0cost_pixels_first_1_0_count_10_value_3));
+      slice0cost_pixels_first_1_3_count_11 <= as_number(((to_integer(slice0shift_search_1_3(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_1_0_count_11_value)) + as_number(((to_integer(slice0shift_search_1_3(35 downto 35)) =
+        1) /= slice0cost_pixels_first_1_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_1_3(34 downto
+        34)) = 1) /= slice0cost_pixels_first_1_0_count_11_value_3));
+      slice0cost_pixels_first_1_3_count_12 <= as_number(((to_integer(slice0shift_search_1_3(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_1_0_count_12_value)) + as_number(((to_integer(slice0shift_search_1_3(38 downto 38)) =
+        1) /= slice0cost_pixels_first_1_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_1_3(37 downto
+        37)) = 1) /= slice0cost_pixels_first_1_0_count_12_value_3));
+      slice0cost_pixels_first_1_3_count_13 <= as_number(((to_integer(slice0shift_search_1_3(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_1_0_count_13_value)) + as_number(((to_integer(slice0shift_search_1_3(41 downto 41)) =
+        1) /= slice0cost_pixels_first_1_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_1_3(40 downto
+        40)) = 1) /= slice0cost_pixels_first_1_0_count_13_value_3));
+      slice0cost_pixels_first_1_3_count_14 <= as_number(((to_integer(slice0shift_search_1_3(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_1_0_count_14_value)) + as_number(((to_integer(slice0shift_search_1_3(44 downto 44)) =
+        1) /= slice0cost_pixels_first_1_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_1_3(43 downto
+        43)) = 1) /= slice0cost_pixels_first_1_0_count_14_value_3));
+      slice0cost_pixels_first_1_3_count_15 <= as_number(((to_integer(slice0shift_search_1_3(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_1_0_count_15_value)) + as_number(((to_integer(slice0shift_search_1_3(47 downto 47)) =
+        1) /= slice0cost_pixels_first_1_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_1_3(46 downto
+        46)) = 1) /= slice0cost_pixels_first_1_0_count_15_value_3));
+      slice0cost_pixels_first_1_3_count_16 <= as_number(((to_integer(slice0shift_search_1_3(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_1_0_count_16_value)) + as_number(((to_integer(slice0shift_search_1_3(50 downto 50)) =
+        1) /= slice0cost_pixels_first_1_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_1_3(49 downto
+        49)) = 1) /= slice0cost_pixels_first_1_0_count_16_value_3));
+      slice0cost_pixels_first_1_3_count_17 <= as_number(((to_integer(slice0shift_search_1_3(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_1_0_count_17_value)) + as_number(((to_integer(slice0shift_search_1_3(53 downto 53)) =
+        1) /= slice0cost_pixels_first_1_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_1_3(52 downto
+        52)) = 1) /= slice0cost_pixels_first_1_0_count_17_value_3));
+      slice0cost_pixels_first_1_3_count_18 <= as_number(((to_integer(slice0shift_search_1_3(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_1_0_count_18_value)) + as_number(((to_integer(slice0shift_search_1_3(56 downto 56)) =
+        1) /= slice0cost_pixels_first_1_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_1_3(55 downto
+        55)) = 1) /= slice0cost_pixels_first_1_0_count_18_value_3));
+      slice0cost_pixels_first_1_3_count_19 <= as_number(((to_integer(slice0shift_search_1_3(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_1_0_count_19_value)) + as_number(((to_integer(slice0shift_search_1_3(59 downto 59)) =
+        1) /= slice0cost_pixels_first_1_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_1_3(58 downto
+        58)) = 1) /= slice0cost_pixels_first_1_0_count_19_value_3));
+      slice0cost_pixels_first_1_3_count_20 <= as_number(((to_integer(slice0shift_search_1_3(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_1(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_1_3(60
+        downto 60)) = 1) /= slice0cost_pixels_first_1_0_count_20_value));
       slice0cost_pixels_first_1_4_count_0 <= as_number(((to_integer(slice0shift_search_1_4(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_1_4_count_0_choice)
-        + as_number(slice0cost_pixels_first_1_4_count_0_choice_2);
-      slice0cost_pixels_first_1_4_count_1 <= as_number(slice0cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_3);
+        (to_integer(slice0shift_reference_1(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_1_4(2
+        downto 2)) = 1) /= slice0cost_pixels_first_1_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_1_4(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((to_integer(slice0shift_search_1_4(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((to_integer(slice0shift_search_1_4(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_1_4(4 downto 4)) =
+        1) /= slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_1_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_1(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_4_count_2_choice) + as_number(slice0cost_pixels_first_1_4_count_2_choice_2);
-      slice0cost_pixels_first_1_4_count_3 <= as_number(slice0cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_3);
-      slice0cost_pixels_first_1_4_count_4 <= as_number(slice0cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_3);
-      slice0cost_pixels_first_1_4_count_5 <= as_number(slice0cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_3);
-      slice0cost_pixels_first_1_4_count_6 <= as_number(slice0cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_3);
-      slice0cost_pixels_first_1_4_count_7 <= as_number(slice0cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_3);
-      slice0cost_pixels_first_1_4_count_8 <= as_number(slice0cost_pixels_first_1_4_count_8_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_8_choice_3);
-      slice0cost_pixels_first_1_4_count_9 <= as_number(slice0cost_pixels_first_1_4_count_9_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_9_choice_3);
-      slice0cost_pixels_first_1_4_count_10 <= as_number(slice0cost_pixels_first_1_4_count_10_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_10_choice_3);
-      slice0cost_pixels_first_1_4_count_11 <= as_number(slice0cost_pixels_first_1_4_count_11_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_11_choice_3);
-      slice0cost_pixels_first_1_4_count_12 <= as_number(slice0cost_pixels_first_1_4_count_12_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_12_choice_3);
-      slice0cost_pixels_first_1_4_count_13 <= as_number(slice0cost_pixels_first_1_4_count_13_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_13_choice_3);
-      slice0cost_pixels_first_1_4_count_14 <= as_number(slice0cost_pixels_first_1_4_count_14_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_14_choice_3);
-      slice0cost_pixels_first_1_4_count_15 <= as_number(slice0cost_pixels_first_1_4_count_15_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_15_choice_3);
-      slice0cost_pixels_first_1_4_count_16 <= as_number(slice0cost_pixels_first_1_4_count_16_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_16_choice_3);
-      slice0cost_pixels_first_1_4_count_17 <= as_number(slice0cost_pixels_first_1_4_count_17_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_17_choice_3);
-      slice0cost_pixels_first_1_4_count_18 <= as_number(slice0cost_pixels_first_1_4_count_18_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_18_choice_3);
-      slice0cost_pixels_first_1_4_count_19 <= as_number(slice0cost_pixels_first_1_4_count_19_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_19_choice_3);
-      slice0cost_pixels_first_1_4_count_20 <= as_number(slice0cost_pixels_first_1_4_count_20_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_1_4(8 downto 8)) = 1) /= slice0cost_pixels_first_1_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_1_4(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((to_integer(slice0shift_search_1_4(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((to_integer(slice0shift_search_1_4(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_1_4(10 downto 10))
+        = 1) /= slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((to_integer(slice0shift_search_1_4(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((to_integer(slice0shift_search_1_4(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_1_4(13 downto 13))
+        = 1) /= slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((to_integer(slice0shift_search_1_4(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((to_integer(slice0shift_search_1_4(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_1_4(16 downto 16))
+        = 1) /= slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((to_integer(slice0shift_search_1_4(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((to_integer(slice0shift_search_1_4(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_1_4(19 downto 19))
+        = 1) /= slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((to_integer(slice0shift_search_1_4(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number(((to_integer(slice0shift_search_1_4(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_1_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_1_4(22 downto 22))
+        = 1) /= slice0cost_pixels_first_1_0_count_7_value_3));
+      slice0cost_pixels_first_1_4_count_8 <= as_number(((to_integer(slice0shift_search_1_4(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_1_0_count_8_value)) + as_number(((to_integer(slice0shift_search_1_4(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_1_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_1_4(25 downto 25))
+        = 1) /= slice0cost_pixels_first_1_0_count_8_value_3));
+      slice0cost_pixels_first_1_4_count_9 <= as_number(((to_integer(slice0shift_search_1_4(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_1_0_count_9_value)) + as_number(((to_integer(slice0shift_search_1_4(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_1_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_1_4(28 downto 28))
+        = 1) /= slice0cost_pixels_first_1_0_count_9_value_3));
+      slice0cost_pixels_first_1_4_count_10 <= as_number(((to_integer(slice0shift_search_1_4(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_1_0_count_10_value)) + as_number(((to_integer(slice0shift_search_1_4(32 downto 32)) =
+        1) /= slice0cost_pixels_first_1_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_1_4(31 downto
+        31)) = 1) /= slice0cost_pixels_first_1_0_count_10_value_3));
+      slice0cost_pixels_first_1_4_count_11 <= as_number(((to_integer(slice0shift_search_1_4(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_1_0_count_11_value)) + as_number(((to_integer(slice0shift_search_1_4(35 downto 35)) =
+        1) /= slice0cost_pixels_first_1_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_1_4(34 downto
+        34)) = 1) /= slice0cost_pixels_first_1_0_count_11_value_3));
+      slice0cost_pixels_first_1_4_count_12 <= as_number(((to_integer(slice0shift_search_1_4(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_1_0_count_12_value)) + as_number(((to_integer(slice0shift_search_1_4(38 downto 38)) =
+        1) /= slice0cost_pixels_first_1_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_1_4(37 downto
+        37)) = 1) /= slice0cost_pixels_first_1_0_count_12_value_3));
+      slice0cost_pixels_first_1_4_count_13 <= as_number(((to_integer(slice0shift_search_1_4(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_1_0_count_13_value)) + as_number(((to_integer(slice0shift_search_1_4(41 downto 41)) =
+        1) /= slice0cost_pixels_first_1_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_1_4(40 downto
+        40)) = 1) /= slice0cost_pixels_first_1_0_count_13_value_3));
+      slice0cost_pixels_first_1_4_count_14 <= as_number(((to_integer(slice0shift_search_1_4(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_1_0_count_14_value)) + as_number(((to_integer(slice0shift_search_1_4(44 downto 44)) =
+        1) /= slice0cost_pixels_first_1_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_1_4(43 downto
+        43)) = 1) /= slice0cost_pixels_first_1_0_count_14_value_3));
+      slice0cost_pixels_first_1_4_count_15 <= as_number(((to_integer(slice0shift_search_1_4(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_1_0_count_15_value)) + as_number(((to_integer(slice0shift_search_1_4(47 downto 47)) =
+        1) /= slice0cost_pixels_first_1_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_1_4(46 downto
+        46)) = 1) /= slice0cost_pixels_first_1_0_count_15_value_3));
+      slice0cost_pixels_first_1_4_count_16 <= as_number(((to_integer(slice0shift_search_1_4(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_1_0_count_16_value)) + as_number(((to_integer(slice0shift_search_1_4(50 downto 50)) =
+        1) /= slice0cost_pixels_first_1_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_1_4(49 downto
+        49)) = 1) /= slice0cost_pixels_first_1_0_count_16_value_3));
+      slice0cost_pixels_first_1_4_count_17 <= as_number(((to_integer(slice0shift_search_1_4(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_1_0_count_17_value)) + as_number(((to_integer(slice0shift_search_1_4(53 downto 53)) =
+        1) /= slice0cost_pixels_first_1_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_1_4(52 downto
+        52)) = 1) /= slice0cost_pixels_first_1_0_count_17_value_3));
+      slice0cost_pixels_first_1_4_count_18 <= as_number(((to_integer(slice0shift_search_1_4(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_1_0_count_18_value)) + as_number(((to_integer(slice0shift_search_1_4(56 downto 56)) =
+        1) /= slice0cost_pixels_first_1_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_1_4(55 downto
+        55)) = 1) /= slice0cost_pixels_first_1_0_count_18_value_3));
+      slice0cost_pixels_first_1_4_count_19 <= as_number(((to_integer(slice0shift_search_1_4(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_1_0_count_19_value)) + as_number(((to_integer(slice0shift_search_1_4(59 downto 59)) =
+        1) /= slice0cost_pixels_first_1_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_1_4(58 downto
+        58)) = 1) /= slice0cost_pixels_first_1_0_count_19_value_3));
+      slice0cost_pixels_first_1_4_count_20 <= as_number(((to_integer(slice0shift_search_1_4(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_1(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_1_4(60
+        downto 60)) = 1) /= slice0cost_pixels_first_1_0_count_20_value));
       slice0cost_pixels_first_2_0_count_0 <= as_number(((to_integer(slice0shift_search_2_0(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice)
-        + as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value
+        /= (to_integer(slice0shift_search_2_0(2 downto 2)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_0_value_2 /= (to_integer(slice0shift_search_2_0(1 downto 1)) =
+        1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (to_integer(slice0shift_search_2_0(3 downto 3)) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2
+        /= (to_integer(slice0shift_search_2_0(5 downto 5)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_1_value_3 /= (to_integer(slice0shift_search_2_0(4 downto 4)) =
+        1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_2_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_2(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
-      slice0cost_pixels_first_2_0_count_8 <= as_number(slice0cost_pixels_first_2_0_count_8_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_8_choice_3);
-      slice0cost_pixels_first_2_0_count_9 <= as_number(slice0cost_pixels_first_2_0_count_9_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_9_choice_3);
-      slice0cost_pixels_first_2_0_count_10 <= as_number(slice0cost_pixels_first_2_0_count_10_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_10_choice_3);
-      slice0cost_pixels_first_2_0_count_11 <= as_number(slice0cost_pixels_first_2_0_count_11_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_11_choice_3);
-      slice0cost_pixels_first_2_0_count_12 <= as_number(slice0cost_pixels_first_2_0_count_12_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_12_choice_3);
-      slice0cost_pixels_first_2_0_count_13 <= as_number(slice0cost_pixels_first_2_0_count_13_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_13_choice_3);
-      slice0cost_pixels_first_2_0_count_14 <= as_number(slice0cost_pixels_first_2_0_count_14_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_14_choice_3);
-      slice0cost_pixels_first_2_0_count_15 <= as_number(slice0cost_pixels_first_2_0_count_15_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_15_choice_3);
-      slice0cost_pixels_first_2_0_count_16 <= as_number(slice0cost_pixels_first_2_0_count_16_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_16_choice_3);
-      slice0cost_pixels_first_2_0_count_17 <= as_number(slice0cost_pixels_first_2_0_count_17_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_17_choice_3);
-      slice0cost_pixels_first_2_0_count_18 <= as_number(slice0cost_pixels_first_2_0_count_18_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_18_choice_3);
-      slice0cost_pixels_first_2_0_count_19 <= as_number(slice0cost_pixels_first_2_0_count_19_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_19_choice_3);
-      slice0cost_pixels_first_2_0_count_20 <= as_number(slice0cost_pixels_first_2_0_count_20_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_20_choice_2);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (to_integer(slice0shift_search_2_0(8 downto 8)) = 1)))
+        + as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (to_integer(slice0shift_search_2_0(6 downto 6)) =
+        1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (to_integer(slice0shift_search_2_0(9 downto 9)) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2
+        /= (to_integer(slice0shift_search_2_0(11 downto 11)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_3_value_3 /= (to_integer(slice0shift_search_2_0(10 downto 10)) =
+        1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (to_integer(slice0shift_search_2_0(12 downto 12)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_4_value_2 /= (to_integer(slice0shift_search_2_0(14 downto 14)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /= (to_integer(slice0shift_search_2_0(13 downto
+        13)) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (to_integer(slice0shift_search_2_0(15 downto 15)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_5_value_2 /= (to_integer(slice0shift_search_2_0(17 downto 17)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /= (to_integer(slice0shift_search_2_0(16 downto
+        16)) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (to_integer(slice0shift_search_2_0(18 downto 18)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_6_value_2 /= (to_integer(slice0shift_search_2_0(20 downto 20)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /= (to_integer(slice0shift_search_2_0(19 downto
+        19)) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (to_integer(slice0shift_search_2_0(21 downto 21)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_7_value_2 /= (to_integer(slice0shift_search_2_0(23 downto 23)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_3 /= (to_integer(slice0shift_search_2_0(22 downto
+        22)) = 1)));
+      slice0cost_pixels_first_2_0_count_8 <= as_number((slice0cost_pixels_first_2_0_count_8_value /=
+        (to_integer(slice0shift_search_2_0(24 downto 24)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_8_value_2 /= (to_integer(slice0shift_search_2_0(26 downto 26)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_8_value_3 /= (to_integer(slice0shift_search_2_0(25 downto
+        25)) = 1)));
+      slice0cost_pixels_first_2_0_count_9 <= as_number((slice0cost_pixels_first_2_0_count_9_value /=
+        (to_integer(slice0shift_search_2_0(27 downto 27)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_9_value_2 /= (to_integer(slice0shift_search_2_0(29 downto 29)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_9_value_3 /= (to_integer(slice0shift_search_2_0(28 downto
+        28)) = 1)));
+      slice0cost_pixels_first_2_0_count_10 <= as_number((slice0cost_pixels_first_2_0_count_10_value /=
+        (to_integer(slice0shift_search_2_0(30 downto 30)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_10_value_2 /= (to_integer(slice0shift_search_2_0(32 downto 32)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_10_value_3 /= (to_integer(slice0shift_search_2_0(31 downto
+        31)) = 1)));
+      slice0cost_pixels_first_2_0_count_11 <= as_number((slice0cost_pixels_first_2_0_count_11_value /=
+        (to_integer(slice0shift_search_2_0(33 downto 33)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_11_value_2 /= (to_integer(slice0shift_search_2_0(35 downto 35)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_11_value_3 /= (to_integer(slice0shift_search_2_0(34 downto
+        34)) = 1)));
+      slice0cost_pixels_first_2_0_count_12 <= as_number((slice0cost_pixels_first_2_0_count_12_value /=
+        (to_integer(slice0shift_search_2_0(36 downto 36)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_12_value_2 /= (to_integer(slice0shift_search_2_0(38 downto 38)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_12_value_3 /= (to_integer(slice0shift_search_2_0(37 downto
+        37)) = 1)));
+      slice0cost_pixels_first_2_0_count_13 <= as_number((slice0cost_pixels_first_2_0_count_13_value /=
+        (to_integer(slice0shift_search_2_0(39 downto 39)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_13_value_2 /= (to_integer(slice0shift_search_2_0(41 downto 41)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_13_value_3 /= (to_integer(slice0shift_search_2_0(40 downto
+        40)) = 1)));
+      slice0cost_pixels_first_2_0_count_14 <= as_number((slice0cost_pixels_first_2_0_count_14_value /=
+        (to_integer(slice0shift_search_2_0(42 downto 42)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_14_value_2 /= (to_integer(slice0shift_search_2_0(44 downto 44)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_14_value_3 /= (to_integer(slice0shift_search_2_0(43 downto
+        43)) = 1)));
+      slice0cost_pixels_first_2_0_count_15 <= as_number((slice0cost_pixels_first_2_0_count_15_value /=
+        (to_integer(slice0shift_search_2_0(45 downto 45)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_15_value_2 /= (to_integer(slice0shift_search_2_0(47 downto 47)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_15_value_3 /= (to_integer(slice0shift_search_2_0(46 downto
+        46)) = 1)));
+      slice0cost_pixels_first_2_0_count_16 <= as_number((slice0cost_pixels_first_2_0_count_16_value /=
+        (to_integer(slice0shift_search_2_0(48 downto 48)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_16_value_2 /= (to_integer(slice0shift_search_2_0(50 downto 50)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_16_value_3 /= (to_integer(slice0shift_search_2_0(49 downto
+        49)) = 1)));
+      slice0cost_pixels_first_2_0_count_17 <= as_number((slice0cost_pixels_first_2_0_count_17_value /=
+        (to_integer(slice0shift_search_2_0(51 downto 51)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_17_value_2 /= (to_integer(slice0shift_search_2_0(53 downto 53)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_17_value_3 /= (to_integer(slice0shift_search_2_0(52 downto
+        52)) = 1)));
+      slice0cost_pixels_first_2_0_count_18 <= as_number((slice0cost_pixels_first_2_0_count_18_value /=
+        (to_integer(slice0shift_search_2_0(54 downto 54)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_18_value_2 /= (to_integer(slice0shift_search_2_0(56 downto 56)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_18_value_3 /= (to_integer(slice0shift_search_2_0(55 downto
+        55)) = 1)));
+      slice0cost_pixels_first_2_0_count_19 <= as_number((slice0cost_pixels_first_2_0_count_19_value /=
+        (to_integer(slice0shift_search_2_0(57 downto 57)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_19_value_2 /= (to_integer(slice0shift_search_2_0(59 downto 59)) =
+        1))) + as_number((slice0cost_pixels_first_2_0_count_19_value_3 /= (to_integer(slice0shift_search_2_0(58 downto
+        58)) = 1)));
+      slice0cost_pixels_first_2_0_count_20 <= as_number(((to_integer(slice0shift_reference_2(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_search_2_0(61 downto 61)) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_20_value /= (to_integer(slice0shift_search_2_0(60 downto 60)) =
+        1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number(((to_integer(slice0shift_search_2_1(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice)
-        + as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_2_1(2
+        downto 2)) = 1) /= slice0cost_pixels_first_2_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_2_1(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((to_integer(slice0shift_search_2_1(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((to_integer(slice0shift_search_2_1(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_2_1(4 downto 4)) =
+        1) /= slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_2_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_2(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
-      slice0cost_pixels_first_2_1_count_8 <= as_number(slice0cost_pixels_first_2_1_count_8_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_8_choice_3);
-      slice0cost_pixels_first_2_1_count_9 <= as_number(slice0cost_pixels_first_2_1_count_9_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_9_choice_3);
-      slice0cost_pixels_first_2_1_count_10 <= as_number(slice0cost_pixels_first_2_1_count_10_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_10_choice_3);
-      slice0cost_pixels_first_2_1_count_11 <= as_number(slice0cost_pixels_first_2_1_count_11_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_11_choice_3);
-      slice0cost_pixels_first_2_1_count_12 <= as_number(slice0cost_pixels_first_2_1_count_12_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_12_choice_3);
-      slice0cost_pixels_first_2_1_count_13 <= as_number(slice0cost_pixels_first_2_1_count_13_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_13_choice_3);
-      slice0cost_pixels_first_2_1_count_14 <= as_number(slice0cost_pixels_first_2_1_count_14_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_14_choice_3);
-      slice0cost_pixels_first_2_1_count_15 <= as_number(slice0cost_pixels_first_2_1_count_15_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_15_choice_3);
-      slice0cost_pixels_first_2_1_count_16 <= as_number(slice0cost_pixels_first_2_1_count_16_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_16_choice_3);
-      slice0cost_pixels_first_2_1_count_17 <= as_number(slice0cost_pixels_first_2_1_count_17_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_17_choice_3);
-      slice0cost_pixels_first_2_1_count_18 <= as_number(slice0cost_pixels_first_2_1_count_18_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_18_choice_3);
-      slice0cost_pixels_first_2_1_count_19 <= as_number(slice0cost_pixels_first_2_1_count_19_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_19_choice_3);
-      slice0cost_pixels_first_2_1_count_20 <= as_number(slice0cost_pixels_first_2_1_count_20_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_2_1(8 downto 8)) = 1) /= slice0cost_pixels_first_2_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_2_1(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((to_integer(slice0shift_search_2_1(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((to_integer(slice0shift_search_2_1(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_2_1(10 downto 10))
+        = 1) /= slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((to_integer(slice0shift_search_2_1(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((to_integer(slice0shift_search_2_1(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_2_1(13 downto 13))
+        = 1) /= slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((to_integer(slice0shift_search_2_1(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((to_integer(slice0shift_search_2_1(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_2_1(16 downto 16))
+        = 1) /= slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((to_integer(slice0shift_search_2_1(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((to_integer(slice0shift_search_2_1(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_2_1(19 downto 19))
+        = 1) /= slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((to_integer(slice0shift_search_2_1(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number(((to_integer(slice0shift_search_2_1(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_2_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_2_1(22 downto 22))
+        = 1) /= slice0cost_pixels_first_2_0_count_7_value_3));
+      slice0cost_pixels_first_2_1_count_8 <= as_number(((to_integer(slice0shift_search_2_1(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_2_0_count_8_value)) + as_number(((to_integer(slice0shift_search_2_1(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_2_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_2_1(25 downto 25))
+        = 1) /= slice0cost_pixels_first_2_0_count_8_value_3));
+      slice0cost_pixels_first_2_1_count_9 <= as_number(((to_integer(slice0shift_search_2_1(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_2_0_count_9_value)) + as_number(((to_integer(slice0shift_search_2_1(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_2_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_2_1(28 downto 28))
+        = 1) /= slice0cost_pixels_first_2_0_count_9_value_3));
+      slice0cost_pixels_first_2_1_count_10 <= as_number(((to_integer(slice0shift_search_2_1(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_2_0_count_10_value)) + as_number(((to_integer(slice0shift_search_2_1(32 downto 32)) =
+        1) /= slice0cost_pixels_first_2_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_2_1(31 downto
+        31)) = 1) /= slice0cost_pixels_first_2_0_count_10_value_3));
+      slice0cost_pixels_first_2_1_count_11 <= as_number(((to_integer(slice0shift_search_2_1(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_2_0_count_11_value)) + as_number(((to_integer(slice0shift_search_2_1(35 downto 35)) =
+        1) /= slice0cost_pixels_first_2_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_2_1(34 downto
+        34)) = 1) /= slice0cost_pixels_first_2_0_count_11_value_3));
+      slice0cost_pixels_first_2_1_count_12 <= as_number(((to_integer(slice0shift_search_2_1(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_2_0_count_12_value)) + as_number(((to_integer(slice0shift_search_2_1(38 downto 38)) =
+        1) /= slice0cost_pixels_first_2_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_2_1(37 downto
+        37)) = 1) /= slice0cost_pixels_first_2_0_count_12_value_3));
+      slice0cost_pixels_first_2_1_count_13 <= as_number(((to_integer(slice0shift_search_2_1(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_2_0_count_13_value)) + as_number(((to_integer(slice0shift_search_2_1(41 downto 41)) =
+        1) /= slice0cost_pixels_first_2_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_2_1(40 downto
+        40)) = 1) /= slice0cost_pixels_first_2_0_count_13_value_3));
+      slice0cost_pixels_first_2_1_count_14 <= as_number(((to_integer(slice0shift_search_2_1(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_2_0_count_14_value)) + as_number(((to_integer(slice0shift_search_2_1(44 downto 44)) =
+        1) /= slice0cost_pixels_first_2_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_2_1(43 downto
+        43)) = 1) /= slice0cost_pixels_first_2_0_count_14_value_3));
+      slice0cost_pixels_first_2_1_count_15 <= as_number(((to_integer(slice0shift_search_2_1(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_2_0_count_15_value)) + as_number(((to_integer(slice0shift_search_2_1(47 downto 47)) =
+        1) /= slice0cost_pixels_first_2_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_2_1(46 downto
+        46)) = 1) /= slice0cost_pixels_first_2_0_count_15_value_3));
+      slice0cost_pixels_first_2_1_count_16 <= as_number(((to_integer(slice0shift_search_2_1(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_2_0_count_16_value)) + as_number(((to_integer(slice0shift_search_2_1(50 downto 50)) =
+        1) /= slice0cost_pixels_first_2_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_2_1(49 downto
+        49)) = 1) /= slice0cost_pixels_first_2_0_count_16_value_3));
+      slice0cost_pixels_first_2_1_count_17 <= as_number(((to_integer(slice0shift_search_2_1(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_2_0_count_17_value)) + as_number(((to_integer(slice0shift_search_2_1(53 downto 53)) =
+        1) /= slice0cost_pixels_first_2_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_2_1(52 downto
+        52)) = 1) /= slice0cost_pixels_first_2_0_count_17_value_3));
+      slice0cost_pixels_first_2_1_count_18 <= as_number(((to_integer(slice0shift_search_2_1(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_2_0_count_18_value)) + as_number(((to_integer(slice0shift_search_2_1(56 downto 56)) =
+        1) /= slice0cost_pixels_first_2_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_2_1(55 downto
+        55)) = 1) /= slice0cost_pixels_first_2_0_count_18_value_3));
+      slice0cost_pixels_first_2_1_count_19 <= as_number(((to_integer(slice0shift_search_2_1(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_2_0_count_19_value)) + as_number(((to_integer(slice0shift_search_2_1(59 downto 59)) =
+        1) /= slice0cost_pixels_first_2_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_2_1(58 downto
+        58)) = 1) /= slice0cost_pixels_first_2_0_count_19_value_3));
+      slice0cost_pixels_first_2_1_count_20 <= as_number(((to_integer(slice0shift_search_2_1(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_2(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_2_1(60
+        downto 60)) = 1) /= slice0cost_pixels_first_2_0_count_20_value));
       slice0cost_pixels_first_2_2_count_0 <= as_number(((to_integer(slice0shift_search_2_2(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice)
-        + as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_2_2(2
+        downto 2)) = 1) /= slice0cost_pixels_first_2_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_2_2(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((to_integer(slice0shift_search_2_2(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((to_integer(slice0shift_search_2_2(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_2_2(4 downto 4)) =
+        1) /= slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_2_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_2(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
-      slice0cost_pixels_first_2_2_count_8 <= as_number(slice0cost_pixels_first_2_2_count_8_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_8_choice_3);
-      slice0cost_pixels_first_2_2_count_9 <= as_number(slice0cost_pixels_first_2_2_count_9_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_9_choice_3);
-      slice0cost_pixels_first_2_2_count_10 <= as_number(slice0cost_pixels_first_2_2_count_10_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_10_choice_3);
-      slice0cost_pixels_first_2_2_count_11 <= as_number(slice0cost_pixels_first_2_2_count_11_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_11_choice_3);
-      slice0cost_pixels_first_2_2_count_12 <= as_number(slice0cost_pixels_first_2_2_count_12_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_12_choice_3);
-      slice0cost_pixels_first_2_2_count_13 <= as_number(slice0cost_pixels_first_2_2_count_13_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_13_choice_3);
-      slice0cost_pixels_first_2_2_count_14 <= as_number(slice0cost_pixels_first_2_2_count_14_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_14_choice_3);
-      slice0cost_pixels_first_2_2_count_15 <= as_number(slice0cost_pixels_first_2_2_count_15_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_15_choice_3);
-      slice0cost_pixels_first_2_2_count_16 <= as_number(slice0cost_pixels_first_2_2_count_16_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_16_choice_3);
-      slice0cost_pixels_first_2_2_count_17 <= as_number(slice0cost_pixels_first_2_2_count_17_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_17_choice_3);
-      slice0cost_pixels_first_2_2_count_18 <= as_number(slice0cost_pixels_first_2_2_count_18_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_18_choice_3);
-      slice0cost_pixels_first_2_2_count_19 <= as_number(slice0cost_pixels_first_2_2_count_19_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_19_choice_3);
-      slice0cost_pixels_first_2_2_count_20 <= as_number(slice0cost_pixels_first_2_2_count_20_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_2_2(8 downto 8)) = 1) /= slice0cost_pixels_first_2_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_2_2(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((to_integer(slice0shift_search_2_2(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((to_integer(slice0shift_search_2_2(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_2_2(10 downto 10))
+        = 1) /= slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((to_integer(slice0shift_search_2_2(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((to_integer(slice0shift_search_2_2(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_2_2(13 downto 13))
+        = 1) /= slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((to_integer(slice0shift_search_2_2(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((to_integer(slice0shift_search_2_2(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_2_2(16 downto 16))
+        = 1) /= slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((to_integer(slice0shift_search_2_2(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((to_integer(slice0shift_search_2_2(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_2_2(19 downto 19))
+        = 1) /= slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((to_integer(slice0shift_search_2_2(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number(((to_integer(slice0shift_search_2_2(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_2_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_2_2(22 downto 22))
+        = 1) /= slice0cost_pixels_first_2_0_count_7_value_3));
+      slice0cost_pixels_first_2_2_count_8 <= as_number(((to_integer(slice0shift_search_2_2(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_2_0_count_8_value)) + as_number(((to_integer(slice0shift_search_2_2(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_2_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_2_2(25 downto 25))
+        = 1) /= slice0cost_pixels_first_2_0_count_8_value_3));
+      slice0cost_pixels_first_2_2_count_9 <= as_number(((to_integer(slice0shift_search_2_2(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_2_0_count_9_value)) + as_number(((to_integer(slice0shift_search_2_2(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_2_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_2_2(28 downto 28))
+        = 1) /= slice0cost_pixels_first_2_0_count_9_value_3));
+      slice0cost_pixels_first_2_2_count_10 <= as_number(((to_integer(slice0shift_search_2_2(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_2_0_count_10_value)) + as_number(((to_integer(slice0shift_search_2_2(32 downto 32)) =
+        1) /= slice0cost_pixels_first_2_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_2_2(31 downto
+        31)) = 1) /= slice0cost_pixels_first_2_0_count_10_value_3));
+      slice0cost_pixels_first_2_2_count_11 <= as_number(((to_integer(slice0shift_search_2_2(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_2_0_count_11_value)) + as_number(((to_integer(slice0shift_search_2_2(35 downto 35)) =
+        1) /= slice0cost_pixels_first_2_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_2_2(34 downto
+        34)) = 1) /= slice0cost_pixels_first_2_0_count_11_value_3));
+      slice0cost_pixels_first_2_2_count_12 <= as_number(((to_integer(slice0shift_search_2_2(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_2_0_count_12_value)) + as_number(((to_integer(slice0shift_search_2_2(38 downto 38)) =
+        1) /= slice0cost_pixels_first_2_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_2_2(37 downto
+        37)) = 1) /= slice0cost_pixels_first_2_0_count_12_value_3));
+      slice0cost_pixels_first_2_2_count_13 <= as_number(((to_integer(slice0shift_search_2_2(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_2_0_count_13_value)) + as_number(((to_integer(slice0shift_search_2_2(41 downto 41)) =
+        1) /= slice0cost_pixels_first_2_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_2_2(40 downto
+        40)) = 1) /= slice0cost_pixels_first_2_0_count_13_value_3));
+      slice0cost_pixels_first_2_2_count_14 <= as_number(((to_integer(slice0shift_search_2_2(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_2_0_count_14_value)) + as_number(((to_integer(slice0shift_search_2_2(44 downto 44)) =
+        1) /= slice0cost_pixels_first_2_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_2_2(43 downto
+        43)) = 1) /= slice0cost_pixels_first_2_0_count_14_value_3));
+      slice0cost_pixels_first_2_2_count_15 <= as_number(((to_integer(slice0shift_search_2_2(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_2_0_count_15_value)) + as_number(((to_integer(slice0shift_search_2_2(47 downto 47)) =
+        1) /= slice0cost_pixels_first_2_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_2_2(46 downto
+        46)) = 1) /= slice0cost_pixels_first_2_0_count_15_value_3));
+      slice0cost_pixels_first_2_2_count_16 <= as_number(((to_integer(slice0shift_search_2_2(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_2_0_count_16_value)) + as_number(((to_integer(slice0shift_search_2_2(50 downto 50)) =
+        1) /= slice0cost_pixels_first_2_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_2_2(49 downto
+        49)) = 1) /= slice0cost_pixels_first_2_0_count_16_value_3));
+      slice0cost_pixels_first_2_2_count_17 <= as_number(((to_integer(slice0shift_search_2_2(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_2_0_count_17_value)) + as_number(((to_integer(slice0shift_search_2_2(53 downto 53)) =
+        1) /= slice0cost_pixels_first_2_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_2_2(52 downto
+        52)) = 1) /= slice0cost_pixels_first_2_0_count_17_value_3));
+      slice0cost_pixels_first_2_2_count_18 <= as_number(((to_integer(slice0shift_search_2_2(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_2_0_count_18_value)) + as_number(((to_integer(slice0shift_search_2_2(56 downto 56)) =
+        1) /= slice0cost_pixels_first_2_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_2_2(55 downto
+        55)) = 1) /= slice0cost_pixels_first_2_0_count_18_value_3));
+      slice0cost_pixels_first_2_2_count_19 <= as_number(((to_integer(slice0shift_search_2_2(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_2_0_count_19_value)) + as_number(((to_integer(slice0shift_search_2_2(59 downto 59)) =
+        1) /= slice0cost_pixels_first_2_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_2_2(58 downto
+        58)) = 1) /= slice0cost_pixels_first_2_0_count_19_value_3));
+      slice0cost_pixels_first_2_2_count_20 <= as_number(((to_integer(slice0shift_search_2_2(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_2(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_2_2(60
+        downto 60)) = 1) /= slice0cost_pixels_first_2_0_count_20_value));
       slice0cost_pixels_first_2_3_count_0 <= as_number(((to_integer(slice0shift_search_2_3(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_2_3_count_0_choice)
-        + as_number(slice0cost_pixels_first_2_3_count_0_choice_2);
-      slice0cost_pixels_first_2_3_count_1 <= as_number(slice0cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_3);
+        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_2_3(2
+        downto 2)) = 1) /= slice0cost_pixels_first_2_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_2_3(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((to_integer(slice0shift_search_2_3(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((to_integer(slice0shift_search_2_3(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_2_3(4 downto 4)) =
+        1) /= slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_2_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_2(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_3_count_2_choice) + as_number(slice0cost_pixels_first_2_3_count_2_choice_2);
-      slice0cost_pixels_first_2_3_count_3 <= as_number(slice0cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_3);
-      slice0cost_pixels_first_2_3_count_4 <= as_number(slice0cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_3);
-      slice0cost_pixels_first_2_3_count_5 <= as_number(slice0cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_3);
-      slice0cost_pixels_first_2_3_count_6 <= as_number(slice0cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_3);
-      slice0cost_pixels_first_2_3_count_7 <= as_number(slice0cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_3);
-      slice0cost_pixels_first_2_3_count_8 <= as_number(slice0cost_pixels_first_2_3_count_8_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_8_choice_3);
-      slice0cost_pixels_first_2_3_count_9 <= as_number(slice0cost_pixels_first_2_3_count_9_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_9_choice_3);
-      slice0cost_pixels_first_2_3_count_10 <= as_number(slice0cost_pixels_first_2_3_count_10_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_10_choice_3);
-      slice0cost_pixels_first_2_3_count_11 <= as_number(slice0cost_pixels_first_2_3_count_11_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_11_choice_3);
-      slice0cost_pixels_first_2_3_count_12 <= as_number(slice0cost_pixels_first_2_3_count_12_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_12_choice_3);
-      slice0cost_pixels_first_2_3_count_13 <= as_number(slice0cost_pixels_first_2_3_count_13_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_13_choice_3);
-      slice0cost_pixels_first_2_3_count_14 <= as_number(slice0cost_pixels_first_2_3_count_14_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_14_choice_3);
-      slice0cost_pixels_first_2_3_count_15 <= as_number(slice0cost_pixels_first_2_3_count_15_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_15_choice_3);
-      slice0cost_pixels_first_2_3_count_16 <= as_number(slice0cost_pixels_first_2_3_count_16_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_16_choice_3);
-      slice0cost_pixels_first_2_3_count_17 <= as_number(slice0cost_pixels_first_2_3_count_17_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_17_choice_3);
-      slice0cost_pixels_first_2_3_count_18 <= as_number(slice0cost_pixels_first_2_3_count_18_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_18_choice_3);
-      slice0cost_pixels_first_2_3_count_19 <= as_number(slice0cost_pixels_first_2_3_count_19_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_19_choice_3);
-      slice0cost_pixels_first_2_3_count_20 <= as_number(slice0cost_pixels_first_2_3_count_20_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_2_3(8 downto 8)) = 1) /= slice0cost_pixels_first_2_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_2_3(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((to_integer(slice0shift_search_2_3(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((to_integer(slice0shift_search_2_3(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_2_3(10 downto 10))
+        = 1) /= slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((to_integer(slice0shift_search_2_3(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((to_integer(slice0shift_search_2_3(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_2_3(13 downto 13))
+        = 1) /= slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((to_integer(slice0shift_search_2_3(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((to_integer(slice0shift_search_2_3(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_2_3(16 downto 16))
+        = 1) /= slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((to_integer(slice0shift_search_2_3(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((to_integer(slice0shift_search_2_3(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_2_3(19 downto 19))
+        = 1) /= slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((to_integer(slice0shift_search_2_3(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number(((to_integer(slice0shift_search_2_3(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_2_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_2_3(22 downto 22))
+        = 1) /= slice0cost_pixels_first_2_0_count_7_value_3));
+      slice0cost_pixels_first_2_3_count_8 <= as_number(((to_integer(slice0shift_search_2_3(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_2_0_count_8_value)) + as_number(((to_integer(slice0shift_search_2_3(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_2_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_2_3(25 downto 25))
+        = 1) /= slice0cost_pixels_first_2_0_count_8_value_3));
+      slice0cost_pixels_first_2_3_count_9 <= as_number(((to_integer(slice0shift_search_2_3(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_2_0_count_9_value)) + as_number(((to_integer(slice0shift_search_2_3(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_2_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_2_3(28 downto 28))
+        = 1) /= slice0cost_pixels_first_2_0_count_9_value_3));
+      slice0cost_pixels_first_2_3_count_10 <= as_number(((to_integer(slice0shift_search_2_3(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_2_0_count_10_value)) + as_number(((to_integer(slice0shift_search_2_3(32 downto 32)) =
+        1) /= slice0cost_pixels_first_2_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_2_3(31 downto
+        31)) = 1) /= slice0cost_pixels_first_2_0_count_10_value_3));
+      slice0cost_pixels_first_2_3_count_11 <= as_number(((to_integer(slice0shift_search_2_3(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_2_0_count_11_value)) + as_number(((to_integer(slice0shift_search_2_3(35 downto 35)) =
+        1) /= slice0cost_pixels_first_2_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_2_3(34 downto
+        34)) = 1) /= slice0cost_pixels_first_2_0_count_11_value_3));
+      slice0cost_pixels_first_2_3_count_12 <= as_number(((to_integer(slice0shift_search_2_3(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_2_0_count_12_value)) + as_number(((to_integer(slice0shift_search_2_3(38 downto 38)) =
+        1) /= slice0cost_pixels_first_2_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_2_3(37 downto
+        37)) = 1) /= slice0cost_pixels_first_2_0_count_12_value_3));
+      slice0cost_pixels_first_2_3_count_13 <= as_number(((to_integer(slice0shift_search_2_3(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_2_0_count_13_value)) + as_number(((to_integer(slice0shift_search_2_3(41 downto 41)) =
+        1) /= slice0cost_pixels_first_2_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_2_3(40 downto
+        40)) = 1) /= slice0cost_pixels_first_2_0_count_13_value_3));
+      slice0cost_pixels_first_2_3_count_14 <= as_number(((to_integer(slice0shift_search_2_3(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_2_0_count_14_value)) + as_number(((to_integer(slice0shift_search_2_3(44 downto 44)) =
+        1) /= slice0cost_pixels_first_2_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_2_3(43 downto
+        43)) = 1) /= slice0cost_pixels_first_2_0_count_14_value_3));
+      slice0cost_pixels_first_2_3_count_15 <= as_number(((to_integer(slice0shift_search_2_3(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_2_0_count_15_value)) + as_number(((to_integer(slice0shift_search_2_3(47 downto 47)) =
+        1) /= slice0cost_pixels_first_2_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_2_3(46 downto
+        46)) = 1) /= slice0cost_pixels_first_2_0_count_15_value_3));
+      slice0cost_pixels_first_2_3_count_16 <= as_number(((to_integer(slice0shift_search_2_3(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_2_0_count_16_value)) + as_number(((to_integer(slice0shift_search_2_3(50 downto 50)) =
+        1) /= slice0cost_pixels_first_2_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_2_3(49 downto
+        49)) = 1) /= slice0cost_pixels_first_2_0_count_16_value_3));
+      slice0cost_pixels_first_2_3_count_17 <= as_number(((to_integer(slice0shift_search_2_3(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_2_0_count_17_value)) + as_number(((to_integer(slice0shift_search_2_3(53 downto 53)) =
+        1) /= slice0cost_pixels_first_2_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_2_3(52 downto
+        52)) = 1) /= slice0cost_pixels_first_2_0_count_17_value_3));
+      slice0cost_pixels_first_2_3_count_18 <= as_number(((to_integer(slice0shift_search_2_3(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_2_0_count_18_value)) + as_number(((to_integer(slice0shift_search_2_3(56 downto 56)) =
+        1) /= slice0cost_pixels_first_2_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_2_3(55 downto
+        55)) = 1) /= slice0cost_pixels_first_2_0_count_18_value_3));
+      slice0cost_pixels_first_2_3_count_19 <= as_number(((to_integer(slice0shift_search_2_3(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_2_0_count_19_value)) + as_number(((to_integer(slice0shift_search_2_3(59 downto 59)) =
+        1) /= slice0cost_pixels_first_2_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_2_3(58 downto
+        58)) = 1) /= slice0cost_pixels_first_2_0_count_19_value_3));
+      slice0cost_pixels_first_2_3_count_20 <= as_number(((to_integer(slice0shift_search_2_3(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_2(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_2_3(60
+        downto 60)) = 1) /= slice0cost_pixels_first_2_0_count_20_value));
       slice0cost_pixels_first_2_4_count_0 <= as_number(((to_integer(slice0shift_search_2_4(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_2_4_count_0_choice)
-        + as_number(slice0cost_pixels_first_2_4_count_0_choice_2);
-      slice0cost_pixels_first_2_4_count_1 <= as_number(slice0cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_3);
+        (to_integer(slice0shift_reference_2(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_2_4(2
+        downto 2)) = 1) /= slice0cost_pixels_first_2_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_2_4(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((to_integer(slice0shift_search_2_4(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((to_integer(slice0shift_search_2_4(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_2_4(4 downto 4)) =
+        1) /= slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_2_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_2(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_4_count_2_choice) + as_number(slice0cost_pixels_first_2_4_count_2_choice_2);
-      slice0cost_pixels_first_2_4_count_3 <= as_number(slice0cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_3);
-      slice0cost_pixels_first_2_4_count_4 <= as_number(slice0cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_3);
-      slice0cost_pixels_first_2_4_count_5 <= as_number(slice0cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_3);
-      slice0cost_pixels_first_2_4_count_6 <= as_number(slice0cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_3);
-      slice0cost_pixels_first_2_4_count_7 <= as_number(slice0cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_3);
-      slice0cost_pixels_first_2_4_count_8 <= as_number(slice0cost_pixels_first_2_4_count_8_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_8_choice_3);
-      slice0cost_pixels_first_2_4_count_9 <= as_number(slice0cost_pixels_first_2_4_count_9_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_9_choice_3);
-      slice0cost_pixels_first_2_4_count_10 <= as_number(slice0cost_pixels_first_2_4_count_10_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_10_choice_3);
-      slice0cost_pixels_first_2_4_count_11 <= as_number(slice0cost_pixels_first_2_4_count_11_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_11_choice_3);
-      slice0cost_pixels_first_2_4_count_12 <= as_number(slice0cost_pixels_first_2_4_count_12_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_12_choice_3);
-      slice0cost_pixels_first_2_4_count_13 <= as_number(slice0cost_pixels_first_2_4_count_13_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_13_choice_3);
-      slice0cost_pixels_first_2_4_count_14 <= as_number(slice0cost_pixels_first_2_4_count_14_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_14_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_14_choice_3);
-      slice0cost_pixels_first_2_4_count_15 <= as_number(slice0cost_pixels_first_2_4_count_15_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_15_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_15_choice_3);
-      slice0cost_pixels_first_2_4_count_16 <= as_number(slice0cost_pixels_first_2_4_count_16_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_16_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_16_choice_3);
-      slice0cost_pixels_first_2_4_count_17 <= as_number(slice0cost_pixels_first_2_4_count_17_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_17_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_17_choice_3);
-      slice0cost_pixels_first_2_4_count_18 <= as_number(slice0cost_pixels_first_2_4_count_18_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_18_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_18_choice_3);
-      slice0cost_pixels_first_2_4_count_19 <= as_number(slice0cost_pixels_first_2_4_count_19_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_19_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_19_choice_3);
-      slice0cost_pixels_first_2_4_count_20 <= as_number(slice0cost_pixels_first_2_4_count_20_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_20_choice_2);
+        as_number(((to_integer(slice0shift_search_2_4(8 downto 8)) = 1) /= slice0cost_pixels_first_2_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_2_4(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((to_integer(slice0shift_search_2_4(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((to_integer(slice0shift_search_2_4(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_2_4(10 downto 10))
+        = 1) /= slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((to_integer(slice0shift_search_2_4(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((to_integer(slice0shift_search_2_4(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_2_4(13 downto 13))
+        = 1) /= slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((to_integer(slice0shift_search_2_4(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((to_integer(slice0shift_search_2_4(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_2_4(16 downto 16))
+        = 1) /= slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((to_integer(slice0shift_search_2_4(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((to_integer(slice0shift_search_2_4(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_2_4(19 downto 19))
+        = 1) /= slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((to_integer(slice0shift_search_2_4(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number(((to_integer(slice0shift_search_2_4(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_2_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_2_4(22 downto 22))
+        = 1) /= slice0cost_pixels_first_2_0_count_7_value_3));
+      slice0cost_pixels_first_2_4_count_8 <= as_number(((to_integer(slice0shift_search_2_4(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_2_0_count_8_value)) + as_number(((to_integer(slice0shift_search_2_4(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_2_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_2_4(25 downto 25))
+        = 1) /= slice0cost_pixels_first_2_0_count_8_value_3));
+      slice0cost_pixels_first_2_4_count_9 <= as_number(((to_integer(slice0shift_search_2_4(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_2_0_count_9_value)) + as_number(((to_integer(slice0shift_search_2_4(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_2_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_2_4(28 downto 28))
+        = 1) /= slice0cost_pixels_first_2_0_count_9_value_3));
+      slice0cost_pixels_first_2_4_count_10 <= as_number(((to_integer(slice0shift_search_2_4(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_2_0_count_10_value)) + as_number(((to_integer(slice0shift_search_2_4(32 downto 32)) =
+        1) /= slice0cost_pixels_first_2_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_2_4(31 downto
+        31)) = 1) /= slice0cost_pixels_first_2_0_count_10_value_3));
+      slice0cost_pixels_first_2_4_count_11 <= as_number(((to_integer(slice0shift_search_2_4(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_2_0_count_11_value)) + as_number(((to_integer(slice0shift_search_2_4(35 downto 35)) =
+        1) /= slice0cost_pixels_first_2_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_2_4(34 downto
+        34)) = 1) /= slice0cost_pixels_first_2_0_count_11_value_3));
+      slice0cost_pixels_first_2_4_count_12 <= as_number(((to_integer(slice0shift_search_2_4(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_2_0_count_12_value)) + as_number(((to_integer(slice0shift_search_2_4(38 downto 38)) =
+        1) /= slice0cost_pixels_first_2_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_2_4(37 downto
+        37)) = 1) /= slice0cost_pixels_first_2_0_count_12_value_3));
+      slice0cost_pixels_first_2_4_count_13 <= as_number(((to_integer(slice0shift_search_2_4(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_2_0_count_13_value)) + as_number(((to_integer(slice0shift_search_2_4(41 downto 41)) =
+        1) /= slice0cost_pixels_first_2_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_2_4(40 downto
+        40)) = 1) /= slice0cost_pixels_first_2_0_count_13_value_3));
+      slice0cost_pixels_first_2_4_count_14 <= as_number(((to_integer(slice0shift_search_2_4(42 downto 42)) = 1) /=
+        slice0cost_pixels_first_2_0_count_14_value)) + as_number(((to_integer(slice0shift_search_2_4(44 downto 44)) =
+        1) /= slice0cost_pixels_first_2_0_count_14_value_2)) + as_number(((to_integer(slice0shift_search_2_4(43 downto
+        43)) = 1) /= slice0cost_pixels_first_2_0_count_14_value_3));
+      slice0cost_pixels_first_2_4_count_15 <= as_number(((to_integer(slice0shift_search_2_4(45 downto 45)) = 1) /=
+        slice0cost_pixels_first_2_0_count_15_value)) + as_number(((to_integer(slice0shift_search_2_4(47 downto 47)) =
+        1) /= slice0cost_pixels_first_2_0_count_15_value_2)) + as_number(((to_integer(slice0shift_search_2_4(46 downto
+        46)) = 1) /= slice0cost_pixels_first_2_0_count_15_value_3));
+      slice0cost_pixels_first_2_4_count_16 <= as_number(((to_integer(slice0shift_search_2_4(48 downto 48)) = 1) /=
+        slice0cost_pixels_first_2_0_count_16_value)) + as_number(((to_integer(slice0shift_search_2_4(50 downto 50)) =
+        1) /= slice0cost_pixels_first_2_0_count_16_value_2)) + as_number(((to_integer(slice0shift_search_2_4(49 downto
+        49)) = 1) /= slice0cost_pixels_first_2_0_count_16_value_3));
+      slice0cost_pixels_first_2_4_count_17 <= as_number(((to_integer(slice0shift_search_2_4(51 downto 51)) = 1) /=
+        slice0cost_pixels_first_2_0_count_17_value)) + as_number(((to_integer(slice0shift_search_2_4(53 downto 53)) =
+        1) /= slice0cost_pixels_first_2_0_count_17_value_2)) + as_number(((to_integer(slice0shift_search_2_4(52 downto
+        52)) = 1) /= slice0cost_pixels_first_2_0_count_17_value_3));
+      slice0cost_pixels_first_2_4_count_18 <= as_number(((to_integer(slice0shift_search_2_4(54 downto 54)) = 1) /=
+        slice0cost_pixels_first_2_0_count_18_value)) + as_number(((to_integer(slice0shift_search_2_4(56 downto 56)) =
+        1) /= slice0cost_pixels_first_2_0_count_18_value_2)) + as_number(((to_integer(slice0shift_search_2_4(55 downto
+        55)) = 1) /= slice0cost_pixels_first_2_0_count_18_value_3));
+      slice0cost_pixels_first_2_4_count_19 <= as_number(((to_integer(slice0shift_search_2_4(57 downto 57)) = 1) /=
+        slice0cost_pixels_first_2_0_count_19_value)) + as_number(((to_integer(slice0shift_search_2_4(59 downto 59)) =
+        1) /= slice0cost_pixels_first_2_0_count_19_value_2)) + as_number(((to_integer(slice0shift_search_2_4(58 downto
+        58)) = 1) /= slice0cost_pixels_first_2_0_count_19_value_3));
+      slice0cost_pixels_first_2_4_count_20 <= as_number(((to_integer(slice0shift_search_2_4(61 downto 61)) = 1) /=
+        (to_integer(slice0shift_reference_2(61 downto 61)) = 1))) + as_number(((to_integer(slice0shift_search_2_4(60
+        downto 60)) = 1) /= slice0cost_pixels_first_2_0_count_20_value));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
@@ -8445,20 +6335,35 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_3 +
-        slice0cost_pixels_cost_0_3 + slice0cost_pixels_cost_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_4 +
-        slice0cost_pixels_cost_0_4 + slice0cost_pixels_cost_1_4;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -8485,45 +6390,58 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 4;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 10)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 10)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 10)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 10))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= slice0window_sum_0_4;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 4;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= slice0winner1_of_pair_0_4;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 10)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 10)))) or (to_unsigned(slice0winner1_of_four_0_1, 10)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 10))));
+      slice0winner1_best_cost_0_1 <= slice0winner1_of_four_0_4;
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when (slice0winner1_best_cost_0_1 -
+        slice0winner1_best_cost_0_0) < 0 else slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner2_best_cost_0_1 <
-        slice0winner2_best_cost_0_0 else slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -8538,14 +6456,14 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -8580,6 +6498,10 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_output_column <= false;
         slice0cost_tag_start_of_frame <= false;
@@ -8591,6 +6513,14 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -8599,10 +6529,6 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

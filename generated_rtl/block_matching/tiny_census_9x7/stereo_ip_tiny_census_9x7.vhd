@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 27,
-      latency_clocks => 20,
+      latency_clocks => 22,
       flush_groups => 132,
       gap_groups => 0,
-      core_id => x"8d3529e5",
+      core_id => x"de2eb408",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 27,
-      latency_clocks => 20,
+      latency_clocks => 22,
       flush_groups => 132,
       gap_groups => 0)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 24,
+      latency_clocks => 25,
       flush_groups => 133,
       gap_groups => 64,
-      core_id => x"c8df4f32",
+      core_id => x"3f7964cb",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 24,
+      latency_clocks => 25,
       flush_groups => 133,
       gap_groups => 64)
     port map (

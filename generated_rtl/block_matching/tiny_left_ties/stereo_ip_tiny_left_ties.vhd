@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 15,
+      latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"e6b64f8e",
+      core_id => x"188826ff",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 15,
+      latency_clocks => 16,
       flush_groups => 33,
       gap_groups => 0)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 19,
+      latency_clocks => 20,
       flush_groups => 39,
       gap_groups => 0,
-      core_id => x"7c5d04bb",
+      core_id => x"a78e69a9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 19,
+      latency_clocks => 20,
       flush_groups => 39,
       gap_groups => 0)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_lr_min3_recursive: 32x12, 8 disparities, window 7x7, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_lr_min3_recursive: 32x12, 8 disparities, window 7x7, 1 pixel pair a clock.
 -- Options: disparities 8, window_px 7, min_disparity 3, left_right_threshold 1, aggregation recursive,
 --   slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_tiny_lr_min3_recursive is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 21;
-    latency_clocks : positive := 22;
+    latency_clocks : positive := 23;
     flush_groups : positive := 105;
     gap_groups : positive := 96
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_lr_min3_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_lr_min3_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 21 report "stereo_core_tiny_lr_min3_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 21" severity failure;
-  assert latency_clocks = 22 report "stereo_core_tiny_lr_min3_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
+  assert latency_clocks = 23 report "stereo_core_tiny_lr_min3_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
   assert flush_groups = 105 report "stereo_core_tiny_lr_min3_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 105" severity failure;
   assert gap_groups = 96 report "stereo_core_tiny_lr_min3_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 96" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_lr_min3_recursive is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -184,8 +182,8 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal slice0window_centre_output_column_1, slice0window_centre_output_column_2 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_first_column_1 : boolean;
   signal slice0window_centre_first_column_2, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_first_column : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_first_column : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -2047 to 2047;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 16383;
   -- slice0other
@@ -194,16 +192,19 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal slice0other_winner_0_0, slice0other_winner_0_1, slice0other_winner_0_2 : natural range 0 to 7;
   signal slice0other_winner_out_0 : natural range 0 to 7;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_first_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 16383;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 16383;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 16383;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_map_column : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_first_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_first_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_map_column, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
   signal slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_output_column : boolean;
-  signal slice0winner2_tag_first_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 16383;
   signal slice0_best_index_0_0 : natural range 0 to 7;
@@ -239,7 +240,7 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
   signal slice1window_centre_output_column_2, slice1window_centre_first_column_0 : boolean;
   signal slice1window_centre_first_column_1, slice1window_centre_first_column_2 : boolean;
-  signal slice1window_centre_start_of_frame_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_tag_output_column, slice1window_tag_first_column : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 16383;
   -- slice1other
@@ -248,11 +249,11 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal slice1other_winner_0_0, slice1other_winner_0_1, slice1other_winner_0_2 : natural range 0 to 7;
   signal slice1other_winner_out_0 : natural range 0 to 7;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 16383;
-  signal slice1winner1_best_index_0_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 16383;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 16383;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 16383;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 16383;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 16383;
   signal slice1_best_index_0_0 : natural range 0 to 7;
@@ -281,8 +282,8 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   signal slice2window_centre_map_column_0, slice2window_centre_map_column_1 : boolean;
   signal slice2window_centre_output_column_0, slice2window_centre_output_column_1 : boolean;
   signal slice2window_centre_first_column_0, slice2window_centre_first_column_1 : boolean;
-  signal slice2window_centre_start_of_frame_1, slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_centre_end_of_line_1 : boolean;
+  signal slice2window_centre_start_of_frame_0, slice2window_centre_start_of_frame_1 : boolean;
+  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
   signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 16383;
   -- slice2other
   signal slice2other_cost_0_1 : natural range 0 to 16383;
@@ -293,12 +294,16 @@ architecture rtl of stereo_core_tiny_lr_min3_recursive is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0 : natural range 0 to 16383;
   signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 16383;
+  signal slice2winner3_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_output_column : boolean;
   signal slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
   -- leftright
-  signal leftright_other_1_0, leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 7;
+  signal leftright_other_1_0, leftright_other_2_0, leftright_ring_read_address : natural range 0 to 7;
+  signal leftright_ring_write_address : natural range 0 to 7;
   signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_tag_valid : boolean;
   signal leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_tag_valid : boolean;
@@ -460,7 +465,7 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_1_0, 3);
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
   leftright_found_0_memory : entity work.line_memory
     generic map (depth => 16, width => 3)
     port map (
@@ -479,10 +484,10 @@ begin
   process (clock)
     variable raster_place_column_choice, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
     variable slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less, slice0other_cost_0_0_all_2 : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1other_cost_0_0_any, slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
-    variable slice1other_cost_0_2_is_not_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less, slice2other_cost_0_1_all : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less, slice1other_cost_0_0_any : boolean;
+    variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
+    variable slice1other_cost_0_2_is_not_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less, slice2other_cost_0_1_all : boolean;
     variable slice2other_cost_0_1_all_2, slice2winner1_best_cost_0_0_is_less, leftright_holds_winners_all : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 2047;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 2047;
@@ -553,7 +558,7 @@ begin
         2)) < 21;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65529) mod 65536) < 12;
+      delay_row_inside_0 <= raster_place_group >= 7;
       delay_row_inside_1 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
@@ -564,7 +569,8 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= ((raster_place_column + 65519) mod 65536) < 65522;
       delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (((raster_place_group + 65533) mod 65536) < 12) and delay_tag_map_column_is_less;
+      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 15) and
+        delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -784,7 +790,6 @@ begin
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_map_column_0 <= slice0window_change_tag_map_column;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
-      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_2;
@@ -804,14 +809,14 @@ begin
         slice0window_centre_first_column_2 <= slice0window_centre_first_column_1;
       end if;
       -- slice0other
-      slice0other_cost_0_0_all := (slice0other_cost_0_2 < slice0window_sum_0_1) and (not slice0window_tag_first_column)
-        and slice0window_tag_output_column;
-      slice0other_cost_0_0_is_not_less := slice0other_cost_0_1 >= slice0window_sum_0_0;
+      slice0other_cost_0_0_all := ((slice0other_cost_0_2 - slice0window_sum_0_1) < 0) and (not
+        slice0window_tag_first_column) and slice0window_tag_output_column;
+      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
       slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
         slice0other_cost_0_1;
       slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
         slice0other_cost_0_0;
-      slice0other_cost_0_0_all_2 := (slice0other_cost_0_2 >= slice0window_sum_0_1) and (not
+      slice0other_cost_0_0_all_2 := ((slice0other_cost_0_2 - slice0window_sum_0_1) >= 0) and (not
         slice0window_tag_first_column) and slice0window_tag_output_column;
       slice0other_cost_0_0_choice_3 := slice0window_sum_0_0 when slice0window_tag_valid else slice0other_cost_0_0;
       slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
@@ -856,40 +861,49 @@ begin
         slice0other_winner_0_2 <= 7 when slice0other_cost_0_0_all else slice0other_winner_0_2_choice_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_map_column <= slice2window_centre_map_column_1;
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_1;
-        slice0winner1_tag_first_column <= slice2window_centre_first_column_1;
-        slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_1;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 14)) or (to_unsigned(slice0winner1_of_pair_0_1, 14))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_first_column <= slice0winner1_pair_tag_first_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 14)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 14)))) or (to_unsigned(slice0winner1_of_four_0_0, 14))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_map_column <= slice2window_centre_map_column_1;
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_1;
+        slice0winner1_pair_tag_first_column <= slice2window_centre_first_column_1;
+        slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_1;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_map_column <= slice0winner1_tag_map_column;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -982,6 +996,7 @@ begin
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
       slice1window_centre_output_column_0 <= slice1window_change_tag_output_column;
       slice1window_centre_first_column_0 <= slice1window_change_tag_first_cost;
+      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_tag_output_column <= slice1window_centre_output_column_2;
       slice1window_tag_first_column <= slice1window_centre_first_column_2;
@@ -997,45 +1012,42 @@ begin
         slice1window_centre_first_column_1 <= slice2window_change_tag_first_cost;
         slice1window_centre_first_column_2 <= slice1window_centre_first_column_1;
       end if;
-      if slice0winner1_tag_valid then
-        slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
-      end if;
       -- slice1other
       slice1other_cost_0_0_any := (not slice1window_tag_first_column) or (not slice1window_tag_output_column);
-      slice1other_cost_0_0_is_not_less := slice1other_cost_0_1 >= slice1window_sum_0_0;
+      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
       slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
         slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_tag_valid else
+      slice1other_cost_0_0_choice_2 := slice1other_cost_0_0_choice when slice0winner1_pair_tag_valid else
         slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
+      slice1other_cost_0_0_choice_3 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
       slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice_2 when slice1window_tag_output_column else
         slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_is_not_less := slice1other_cost_0_2 >= slice1window_sum_0_1;
+      slice1other_cost_0_0_choice_5 := slice1window_sum_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
+      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
       slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
         slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_tag_valid else
+      slice1other_cost_0_1_choice_2 := slice1other_cost_0_1_choice when slice0winner1_pair_tag_valid else
         slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_1_choice_3 := slice1other_cost_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
       slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice_2 when slice1window_tag_output_column else
         slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_1_choice_5 := slice1window_sum_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
       slice1other_winner_0_0_choice := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_tag_valid else
+      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_valid else
         slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_tag_valid else
+      slice1other_winner_0_0_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_0;
       slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice_2 when slice1window_tag_output_column else
         slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
+      slice1other_winner_0_0_choice_5 := 2 when slice0winner1_pair_tag_valid else slice1other_winner_0_0;
       slice1other_winner_0_1_choice := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_tag_valid else
+      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
         slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_tag_valid else
+      slice1other_winner_0_1_choice_3 := slice1other_winner_0_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_1;
       slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice_2 when slice1window_tag_output_column else
         slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
+      slice1other_winner_0_1_choice_5 := 3 when slice0winner1_pair_tag_valid else slice1other_winner_0_1;
       slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice1other_cost_0_0_any else
         slice1other_cost_0_0_choice_5;
       slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice1other_cost_0_0_any else
@@ -1046,7 +1058,7 @@ begin
         slice1other_winner_0_1_choice_5;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
-      slice1other_cost_0_2_is_not_less := slice0other_cost_out_0 >= slice1window_sum_0_2;
+      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
       slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice1other_cost_0_2_is_not_less else
         slice0other_cost_out_0;
       slice1other_cost_0_2_choice_2 := slice1other_cost_0_2_choice when slice1window_tag_output_column else
@@ -1054,27 +1066,31 @@ begin
       slice1other_winner_0_2_choice := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
       slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice1window_tag_output_column else
         slice0other_winner_out_0;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice1other_cost_0_2 <= slice1other_cost_0_2_choice_2 when slice1other_cost_0_0_any else slice1window_sum_0_2;
         slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice1other_cost_0_0_any else 4;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 14)) or (to_unsigned(slice1winner1_of_pair_0_1, 14))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 14)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 14)))) or (to_unsigned(slice1winner1_of_four_0_0, 14))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
@@ -1147,7 +1163,7 @@ begin
       end if;
       slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
         slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
@@ -1156,28 +1172,30 @@ begin
         slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
         slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
         slice2window_centre_first_column_1 <= slice2window_centre_first_column_0;
-        slice2window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_1;
+        slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
+        slice2window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_0;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2other
-      slice2other_cost_0_1_all := (slice1other_cost_out_0 < slice2window_sum_0_1) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_all_2 := (slice1other_cost_out_0 >= slice2window_sum_0_1) and (not
-        slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_choice_2 := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice_2 when slice0winner2_tag_output_column else
+      slice2other_cost_0_1_all := ((slice1other_cost_out_0 - slice2window_sum_0_1) < 0) and (not
+        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
+      slice2other_cost_0_1_choice := slice1other_cost_out_0 when slice0winner1_four_tag_valid else slice2other_cost_0_1;
+      slice2other_cost_0_1_all_2 := ((slice1other_cost_out_0 - slice2window_sum_0_1) >= 0) and (not
+        slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
+      slice2other_cost_0_1_choice_2 := slice2window_sum_0_1 when slice0winner1_four_tag_valid else slice2other_cost_0_1;
+      slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice_2 when slice0winner1_four_tag_output_column else
         slice2other_cost_0_1_choice;
       slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice_2 when slice2other_cost_0_1_all_2 else
         slice2other_cost_0_1_choice_3;
-      slice2other_winner_0_0_choice := 0 when slice2other_cost_0_1 >= slice2window_sum_0_0 else slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
+      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
+        slice2other_winner_0_1;
+      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner1_four_tag_valid else
         slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner2_tag_valid else
+      slice2other_winner_0_0_choice_3 := 0 when slice0winner1_four_tag_valid else slice2other_winner_0_0;
+      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner1_four_tag_valid else
         slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
+      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner1_four_tag_output_column else
         slice2other_winner_0_0_choice_4;
       slice2other_winner_0_0_choice_6 := slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all_2 else
         slice2other_winner_0_0_choice_5;
@@ -1186,23 +1204,26 @@ begin
       slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice2other_cost_0_1_all else
         slice2other_winner_0_0_choice_6;
       slice2other_winner_out_0 <= slice2other_winner_0_0;
-      slice2other_winner_0_1_choice := 1 when slice0winner2_tag_output_column else slice1other_winner_out_0;
+      slice2other_winner_0_1_choice := 1 when slice0winner1_four_tag_output_column else slice1other_winner_out_0;
       slice2other_winner_0_1_choice_2 := 1 when slice2other_cost_0_1_all_2 else slice2other_winner_0_1_choice;
-      if slice0winner2_tag_valid then
+      if slice0winner1_four_tag_valid then
         slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_all else
           slice2other_winner_0_1_choice_2;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
@@ -1213,6 +1234,7 @@ begin
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice2other_winner_out_0;
+      leftright_other_2_0 <= leftright_other_1_0;
       leftright_holds_winners <= leftright_holds_winners and (not slice2_best_tag_valid) when
         leftright_holds_winners_all else leftright_holds_winners or slice2_best_tag_valid;
       leftright_position <= (leftright_position + as_number(slice2_best_tag_valid)) mod 16;
@@ -1419,23 +1441,31 @@ begin
         slice0window_sum_0_1 <= 0;
         slice0window_sum_0_2 <= 0;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= 0;
+        slice0winner1_of_pair_0_2 <= 0;
+        slice0winner1_pair_index_0_0 <= false;
+        slice0winner1_pair_index_0_1 <= 0;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= 0;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_best_cost_0_0 <= 0;
-        slice0winner1_best_cost_0_1 <= 0;
-        slice0winner1_best_index_0_0 <= false;
-        slice0winner1_best_index_0_1 <= 0;
+        slice0winner1_best_index_0_0 <= 0;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_best_cost_0_0 <= 0;
-        slice0winner2_best_index_0_0 <= 0;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_cost_0_0 <= 0;
         slice0_best_index_0_0 <= 0;
         slice0_best_tag_valid <= false;
@@ -1494,13 +1524,18 @@ begin
         slice1window_sum_0_2 <= 0;
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_first_column_0 <= false;
-        slice1window_centre_start_of_frame_1 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= 0;
+        slice1winner1_of_pair_0_2 <= 0;
+        slice1winner1_pair_index_0_0 <= false;
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= 0;
         slice1winner1_best_cost_0_0 <= 0;
-        slice1winner1_best_cost_0_1 <= 0;
-        slice1winner1_best_index_0_0 <= false;
-        slice1winner2_best_cost_0_0 <= 0;
-        slice1winner2_best_index_0_0 <= 0;
+        slice1winner1_best_index_0_0 <= 0;
         slice1_best_cost_0_0 <= 0;
         slice1_best_index_0_0 <= 0;
         slice1_best_tag_valid <= false;
@@ -1541,6 +1576,7 @@ begin
         slice2window_sum_0_1 <= 0;
         slice2window_centre_output_column_0 <= false;
         slice2window_centre_output_column_1 <= false;
+        slice2window_centre_start_of_frame_0 <= false;
         slice2window_centre_start_of_frame_1 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;
@@ -1548,6 +1584,8 @@ begin
         slice2winner1_best_index_0_0 <= false;
         slice2winner2_best_cost_0_0 <= 0;
         slice2winner2_best_index_0_0 <= false;
+        slice2winner3_best_cost_0_0 <= 0;
+        slice2winner3_best_index_0_0 <= false;
         slice2_best_index_0_0 <= 0;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;

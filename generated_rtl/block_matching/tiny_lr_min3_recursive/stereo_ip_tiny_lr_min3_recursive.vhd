@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 21,
-      latency_clocks => 22,
+      latency_clocks => 23,
       flush_groups => 105,
       gap_groups => 96,
-      core_id => x"b46fa70c",
+      core_id => x"a031ebaf",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 21,
-      latency_clocks => 22,
+      latency_clocks => 23,
       flush_groups => 105,
       gap_groups => 96)
     port map (

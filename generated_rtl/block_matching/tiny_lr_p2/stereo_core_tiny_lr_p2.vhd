@@ -17,7 +17,7 @@ entity stereo_core_tiny_lr_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 19;
+    latency_clocks : positive := 20;
     flush_groups : positive := 39;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_lr_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_lr_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_lr_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 19 report "stereo_core_tiny_lr_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
+  assert latency_clocks = 20 report "stereo_core_tiny_lr_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
   assert flush_groups = 39 report "stereo_core_tiny_lr_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 39" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_lr_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_lr_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_lr_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   -- raster
   signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
   signal raster_features_reference : natural range 0 to 65535;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -141,20 +139,18 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost : boolean;
-  signal slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
   -- slice0window
@@ -177,19 +173,24 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   signal slice0other_winner_1_0, slice0other_winner_1_1, slice0other_winner_1_2 : natural range 0 to 7;
   signal slice0other_winner_out_0, slice0other_winner_out_1 : natural range 0 to 7;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_map_column, slice0winner1_tag_output_column, slice0winner1_tag_first_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_output_column : boolean;
-  signal slice0winner2_tag_first_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_map_column, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_first_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_first_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_map_column, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_output_column : boolean;
   signal slice0_best_tag_start_of_frame, slice0_best_tag_end_of_line : boolean;
@@ -206,13 +207,11 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column, slice1cost_tag_first_cost, slice1cost_tag_output_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
-  signal slice1cost_tag_first_cost, slice1cost_tag_output_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -232,14 +231,16 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   signal slice1other_winner_1_0, slice1other_winner_1_1, slice1other_winner_1_2 : natural range 0 to 7;
   signal slice1other_winner_out_0, slice1other_winner_out_1 : natural range 0 to 7;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_output_column : boolean;
   signal slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
@@ -252,11 +253,11 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
-  signal slice2cost_tag_first_cost, slice2cost_tag_output_column : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_tag_first_cost : boolean;
+  signal slice2cost_tag_output_column : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
   signal slice2cost_column_1_1 : natural range 0 to 767;
   -- slice2window
@@ -276,13 +277,16 @@ architecture rtl of stereo_core_tiny_lr_p2 is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_output_column : boolean;
   signal slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
   -- leftright
-  signal leftright_other_1_0, leftright_other_1_1, leftright_ring_read_address : natural range 0 to 7;
-  signal leftright_ring_write_address : natural range 0 to 7;
+  signal leftright_other_1_0, leftright_other_1_1, leftright_other_2_0, leftright_other_2_1 : natural range 0 to 7;
+  signal leftright_ring_read_address, leftright_ring_write_address : natural range 0 to 7;
   signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
   signal leftright_asking_tag_valid, leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
   signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_passed_1 : boolean;
@@ -339,7 +343,7 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  leftright_found_1_memory_write_data <= to_unsigned(leftright_other_1_1, 3);
+  leftright_found_1_memory_write_data <= to_unsigned(leftright_other_2_1, 3);
   leftright_found_1_memory : entity work.line_memory
     generic map (depth => 16, width => 3)
     port map (
@@ -347,7 +351,7 @@ begin
       read_address => leftright_address_1, read_data => leftright_found_1,
       write_address => leftright_position, write_data => leftright_found_1_memory_write_data);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_1_0, 3);
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
   leftright_found_0_memory : entity work.line_memory
     generic map (depth => 16, width => 3)
     port map (
@@ -364,23 +368,22 @@ begin
       write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
-    variable raster_features_start_of_frame_is_equal, raster_features_start_of_frame_is_equal_2 : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable raster_features_start_of_frame_is_equal_3, raster_features_start_of_frame_all : boolean;
-    variable raster_features_start_of_frame_choice_3, raster_features_start_of_frame_choice_4 : boolean;
-    variable raster_place_group_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
-    variable delay_row_inside_1_any, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
-    variable slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less, slice0other_cost_0_1_is_not_less : boolean;
-    variable slice0other_cost_1_0_is_not_less, slice0other_cost_1_1_is_not_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1other_cost_0_0_is_not_less, slice1other_cost_0_1_is_not_less : boolean;
-    variable slice1other_cost_0_2_is_not_less, slice1other_cost_1_0_is_not_less : boolean;
-    variable slice1other_cost_1_1_is_not_less, slice1other_cost_1_2_is_not_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2other_cost_0_1_all : boolean;
-    variable slice2other_cost_0_1_is_not_less, slice2other_cost_1_1_is_not_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, raster_place_next_frame_choice_3 : boolean;
+    variable raster_place_next_frame_choice_4, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
+    variable delay_row_inside_1_any, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_is_less, slice0other_cost_0_0_all, slice0other_cost_0_0_is_not_less : boolean;
+    variable slice0other_cost_0_1_is_not_less, slice0other_cost_1_0_is_not_less : boolean;
+    variable slice0other_cost_1_1_is_not_less, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1other_cost_0_0_is_not_less : boolean;
+    variable slice1other_cost_0_1_is_not_less, slice1other_cost_0_2_is_not_less : boolean;
+    variable slice1other_cost_1_0_is_not_less, slice1other_cost_1_1_is_not_less : boolean;
+    variable slice1other_cost_1_2_is_not_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2other_cost_0_1_all, slice2other_cost_0_1_is_not_less, slice2other_cost_1_1_is_not_less : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable leftright_holds_winners_all, leftright_checked_passed_0_choice : boolean;
     variable leftright_checked_passed_0_choice_2, leftright_checked_passed_0_choice_3 : boolean;
@@ -422,10 +425,6 @@ begin
     variable slice2other_winner_1_0_choice_3, slice2other_winner_1_0_choice_4 : natural range 0 to 7;
     variable slice2other_winner_1_0_choice_5, slice2other_winner_1_1_choice : natural range 0 to 7;
     variable slice2other_winner_1_1_choice_2 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
     variable slice0other_cost_0_0_choice, slice0other_cost_0_0_choice_2 : natural range 0 to 2301;
     variable slice0other_cost_0_0_choice_3, slice0other_cost_0_0_choice_4 : natural range 0 to 2301;
     variable slice0other_cost_0_0_choice_5, slice0other_cost_0_1_choice : natural range 0 to 2301;
@@ -457,38 +456,35 @@ begin
   begin
     if rising_edge(clock) then
       -- raster
-      raster_features_start_of_frame_is_equal := raster_place_column = 31;
-      raster_features_start_of_frame_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_features_start_of_frame_is_equal_2 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        raster_features_start_of_frame_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_is_equal_3 := raster_place_group = 5;
-      raster_features_start_of_frame_all := raster_features_start_of_frame_is_equal and
-        raster_features_start_of_frame_is_equal_3;
-      raster_features_start_of_frame_choice_3 := in_valid when raster_features_start_of_frame_all else in_valid and
-        (not in_start_of_frame);
-      raster_features_start_of_frame_choice_4 := raster_features_start_of_frame_choice_3 when
-        raster_features_start_of_frame_choice_2 else raster_features_start_of_frame_is_equal and
-        raster_features_start_of_frame_is_equal_3 and in_valid and in_start_of_frame;
-      raster_place_group_choice := 3 when raster_features_start_of_frame_all else 0;
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 3;
       raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_features_start_of_frame_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 6) else
+        raster_place_group_is_equal_3 else in_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_features_start_of_frame_is_equal and
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
         raster_place_group_choice_2 else raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := in_valid when raster_place_group_all else in_valid and (not
+        in_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid and in_start_of_frame;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
-      raster_features_start_of_frame <= raster_features_start_of_frame_choice_4 or ((not in_valid) and
-        raster_features_start_of_frame);
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
         raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not in_valid) and raster_place_next_frame);
       if in_valid then
-        raster_place_column <= 0 when raster_features_start_of_frame_is_equal or in_start_of_frame else
-          (raster_place_column + 1) mod 32;
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 32;
       end if;
       -- delay
       if raster_features_valid then
@@ -499,7 +495,8 @@ begin
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
       delay_tag_first_cost_is_equal := raster_place_column = 7;
-      delay_tag_map_column_is_less := ((raster_place_column + 65529) mod 65536) < 24;
+      delay_tag_map_column_is_not_less := raster_place_column >= 7;
+      delay_tag_map_column_is_less := raster_place_column < 31;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
@@ -510,8 +507,9 @@ begin
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -600,12 +598,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -618,9 +610,6 @@ begin
       slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
@@ -628,24 +617,21 @@ begin
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
@@ -653,18 +639,18 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -708,7 +694,7 @@ begin
       end if;
       -- slice0other
       slice0other_cost_0_0_all := (not slice1window_centre_first_column_0) and slice1window_centre_output_column_0;
-      slice0other_cost_0_0_is_not_less := slice0other_cost_0_1 >= slice0window_sum_0_0;
+      slice0other_cost_0_0_is_not_less := (slice0other_cost_0_1 - slice0window_sum_0_0) >= 0;
       slice0other_cost_0_0_choice := slice0window_sum_0_0 when slice0other_cost_0_0_is_not_less else
         slice0other_cost_0_1;
       slice0other_cost_0_0_choice_2 := slice0other_cost_0_0_choice when slice0window_tag_valid else
@@ -717,7 +703,7 @@ begin
       slice0other_cost_0_0_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_0;
       slice0other_cost_0_0_choice_5 := slice0other_cost_0_0_choice_3 when slice1window_centre_output_column_0 else
         slice0other_cost_0_0_choice_4;
-      slice0other_cost_0_1_is_not_less := slice0other_cost_0_2 >= slice0window_sum_0_1;
+      slice0other_cost_0_1_is_not_less := (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0;
       slice0other_cost_0_1_choice := slice0window_sum_0_1 when slice0window_tag_valid else slice0other_cost_0_1;
       slice0other_cost_0_1_choice_2 := slice0other_cost_0_2 when slice0window_tag_valid else slice0other_cost_0_1;
       slice0other_cost_0_1_choice_3 := slice0other_cost_0_1_choice when slice0other_cost_0_1_is_not_less else
@@ -728,7 +714,7 @@ begin
       slice0other_cost_0_2_choice_2 := 0 when slice0window_tag_valid else slice0other_cost_0_2;
       slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice when slice1window_centre_output_column_0 else
         slice0other_cost_0_2_choice_2;
-      slice0other_cost_1_0_is_not_less := slice0other_cost_1_1 >= slice0window_sum_1_0;
+      slice0other_cost_1_0_is_not_less := (slice0other_cost_1_1 - slice0window_sum_1_0) >= 0;
       slice0other_cost_1_0_choice := slice0window_sum_1_0 when slice0other_cost_1_0_is_not_less else
         slice0other_cost_1_1;
       slice0other_cost_1_0_choice_2 := slice0other_cost_1_0_choice when slice0window_tag_valid else
@@ -737,7 +723,7 @@ begin
       slice0other_cost_1_0_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_0;
       slice0other_cost_1_0_choice_5 := slice0other_cost_1_0_choice_3 when slice1window_centre_output_column_0 else
         slice0other_cost_1_0_choice_4;
-      slice0other_cost_1_1_is_not_less := slice0other_cost_1_2 >= slice0window_sum_1_1;
+      slice0other_cost_1_1_is_not_less := (slice0other_cost_1_2 - slice0window_sum_1_1) >= 0;
       slice0other_cost_1_1_choice := slice0window_sum_1_1 when slice0window_tag_valid else slice0other_cost_1_1;
       slice0other_cost_1_1_choice_2 := slice0other_cost_1_2 when slice0window_tag_valid else slice0other_cost_1_1;
       slice0other_cost_1_1_choice_3 := slice0other_cost_1_1_choice when slice0other_cost_1_1_is_not_less else
@@ -802,52 +788,66 @@ begin
           slice0other_winner_1_1_choice_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_first_column <= slice0window_tag_first_column;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_map_column <= slice0window_tag_map_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_first_column <= slice0window_tag_first_column;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_output_column <= slice1window_tag_output_column;
+      slice0winner1_four_tag_first_column <= slice1window_tag_first_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 12)))) or (to_unsigned(slice0winner1_of_four_1_0, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_output_column <= slice1window_tag_output_column;
-      slice0winner2_tag_first_column <= slice1window_tag_first_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_map_column <= slice0winner1_tag_map_column;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -872,12 +872,6 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -890,39 +884,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       slice1cost_tag_first_cost <= slice0cost_tag_first_cost;
       slice1cost_tag_output_column <= slice0cost_tag_output_column;
@@ -949,162 +937,172 @@ begin
       slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice1window_tag_output_column <= slice2cost_tag_output_column;
         slice1window_tag_first_column <= slice2cost_tag_first_cost;
       end if;
       -- slice1other
-      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_0_is_not_less := slice1other_cost_0_1 >= slice1window_sum_0_0;
+      slice1other_cost_0_0_choice := slice1window_sum_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
+      slice1other_cost_0_0_is_not_less := (slice1other_cost_0_1 - slice1window_sum_0_0) >= 0;
       slice1other_cost_0_0_choice_2 := slice1window_sum_0_0 when slice1other_cost_0_0_is_not_less else
         slice1other_cost_0_1;
-      slice1other_cost_0_0_choice_3 := slice1other_cost_0_0_choice_2 when slice0winner1_tag_valid else
+      slice1other_cost_0_0_choice_3 := slice1other_cost_0_0_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_cost_0_0;
-      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice when slice0winner1_tag_first_column else
+      slice1other_cost_0_0_choice_4 := slice1other_cost_0_0_choice when slice0winner1_pair_tag_first_column else
         slice1other_cost_0_0_choice_3;
-      slice1other_cost_0_0_choice_5 := slice1other_cost_0_1 when slice0winner1_tag_valid else slice1other_cost_0_0;
-      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_1_is_not_less := slice1other_cost_0_2 >= slice1window_sum_0_1;
+      slice1other_cost_0_0_choice_5 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_0;
+      slice1other_cost_0_1_choice := slice1window_sum_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_1_is_not_less := (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0;
       slice1other_cost_0_1_choice_2 := slice1window_sum_0_1 when slice1other_cost_0_1_is_not_less else
         slice1other_cost_0_2;
-      slice1other_cost_0_1_choice_3 := slice1other_cost_0_1_choice_2 when slice0winner1_tag_valid else
+      slice1other_cost_0_1_choice_3 := slice1other_cost_0_1_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_cost_0_1;
-      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice when slice0winner1_tag_first_column else
+      slice1other_cost_0_1_choice_4 := slice1other_cost_0_1_choice when slice0winner1_pair_tag_first_column else
         slice1other_cost_0_1_choice_3;
-      slice1other_cost_0_1_choice_5 := slice1other_cost_0_2 when slice0winner1_tag_valid else slice1other_cost_0_1;
-      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice0winner1_tag_valid else slice1other_cost_0_2;
-      slice1other_cost_0_2_is_not_less := slice0other_cost_out_0 >= slice1window_sum_0_2;
-      slice1other_cost_0_2_choice_2 := slice0other_cost_out_0 when slice0winner1_tag_valid else slice1other_cost_0_2;
+      slice1other_cost_0_1_choice_5 := slice1other_cost_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_2_choice := slice1window_sum_0_2 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
+      slice1other_cost_0_2_is_not_less := (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0;
+      slice1other_cost_0_2_choice_2 := slice0other_cost_out_0 when slice0winner1_pair_tag_valid else
+        slice1other_cost_0_2;
       slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice when slice1other_cost_0_2_is_not_less else
         slice1other_cost_0_2_choice_2;
-      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice when slice0winner1_tag_first_column else
+      slice1other_cost_0_2_choice_4 := slice1other_cost_0_2_choice when slice0winner1_pair_tag_first_column else
         slice1other_cost_0_2_choice_3;
-      slice1other_cost_1_0_choice := slice1window_sum_1_0 when slice0winner1_tag_valid else slice1other_cost_1_0;
-      slice1other_cost_1_0_is_not_less := slice1other_cost_1_1 >= slice1window_sum_1_0;
+      slice1other_cost_1_0_choice := slice1window_sum_1_0 when slice0winner1_pair_tag_valid else slice1other_cost_1_0;
+      slice1other_cost_1_0_is_not_less := (slice1other_cost_1_1 - slice1window_sum_1_0) >= 0;
       slice1other_cost_1_0_choice_2 := slice1window_sum_1_0 when slice1other_cost_1_0_is_not_less else
         slice1other_cost_1_1;
-      slice1other_cost_1_0_choice_3 := slice1other_cost_1_0_choice_2 when slice0winner1_tag_valid else
+      slice1other_cost_1_0_choice_3 := slice1other_cost_1_0_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_cost_1_0;
-      slice1other_cost_1_0_choice_4 := slice1other_cost_1_0_choice when slice0winner1_tag_first_column else
+      slice1other_cost_1_0_choice_4 := slice1other_cost_1_0_choice when slice0winner1_pair_tag_first_column else
         slice1other_cost_1_0_choice_3;
-      slice1other_cost_1_0_choice_5 := slice1other_cost_1_1 when slice0winner1_tag_valid else slice1other_cost_1_0;
-      slice1other_cost_1_1_choice := slice1window_sum_1_1 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_cost_1_1_is_not_less := slice1other_cost_1_2 >= slice1window_sum_1_1;
+      slice1other_cost_1_0_choice_5 := slice1other_cost_1_1 when slice0winner1_pair_tag_valid else slice1other_cost_1_0;
+      slice1other_cost_1_1_choice := slice1window_sum_1_1 when slice0winner1_pair_tag_valid else slice1other_cost_1_1;
+      slice1other_cost_1_1_is_not_less := (slice1other_cost_1_2 - slice1window_sum_1_1) >= 0;
       slice1other_cost_1_1_choice_2 := slice1window_sum_1_1 when slice1other_cost_1_1_is_not_less else
         slice1other_cost_1_2;
-      slice1other_cost_1_1_choice_3 := slice1other_cost_1_1_choice_2 when slice0winner1_tag_valid else
+      slice1other_cost_1_1_choice_3 := slice1other_cost_1_1_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_cost_1_1;
-      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice when slice0winner1_tag_first_column else
+      slice1other_cost_1_1_choice_4 := slice1other_cost_1_1_choice when slice0winner1_pair_tag_first_column else
         slice1other_cost_1_1_choice_3;
-      slice1other_cost_1_1_choice_5 := slice1other_cost_1_2 when slice0winner1_tag_valid else slice1other_cost_1_1;
-      slice1other_winner_0_0_choice := 2 when slice0winner1_tag_valid else slice1other_winner_0_0;
+      slice1other_cost_1_1_choice_5 := slice1other_cost_1_2 when slice0winner1_pair_tag_valid else slice1other_cost_1_1;
+      slice1other_winner_0_0_choice := 2 when slice0winner1_pair_tag_valid else slice1other_winner_0_0;
       slice1other_winner_0_0_choice_2 := 2 when slice1other_cost_0_0_is_not_less else slice1other_winner_0_1;
-      slice1other_winner_0_0_choice_3 := slice1other_winner_0_0_choice_2 when slice0winner1_tag_valid else
+      slice1other_winner_0_0_choice_3 := slice1other_winner_0_0_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_0;
-      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice when slice0winner1_tag_first_column else
+      slice1other_winner_0_0_choice_4 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_first_column else
         slice1other_winner_0_0_choice_3;
-      slice1other_winner_0_0_choice_5 := slice1other_winner_0_1 when slice0winner1_tag_valid else
+      slice1other_winner_0_0_choice_5 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_0;
-      slice1other_winner_0_1_choice := 3 when slice0winner1_tag_valid else slice1other_winner_0_1;
+      slice1other_winner_0_1_choice := 3 when slice0winner1_pair_tag_valid else slice1other_winner_0_1;
       slice1other_winner_0_1_choice_2 := 3 when slice1other_cost_0_1_is_not_less else slice1other_winner_0_2;
-      slice1other_winner_0_1_choice_3 := slice1other_winner_0_1_choice_2 when slice0winner1_tag_valid else
+      slice1other_winner_0_1_choice_3 := slice1other_winner_0_1_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_1;
-      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice when slice0winner1_tag_first_column else
+      slice1other_winner_0_1_choice_4 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_first_column else
         slice1other_winner_0_1_choice_3;
-      slice1other_winner_0_1_choice_5 := slice1other_winner_0_2 when slice0winner1_tag_valid else
+      slice1other_winner_0_1_choice_5 := slice1other_winner_0_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_1;
-      slice1other_winner_0_2_choice := 4 when slice0winner1_tag_valid else slice1other_winner_0_2;
+      slice1other_winner_0_2_choice := 4 when slice0winner1_pair_tag_valid else slice1other_winner_0_2;
       slice1other_winner_0_2_choice_2 := 4 when slice1other_cost_0_2_is_not_less else slice0other_winner_out_0;
-      slice1other_winner_0_2_choice_3 := slice1other_winner_0_2_choice_2 when slice0winner1_tag_valid else
+      slice1other_winner_0_2_choice_3 := slice1other_winner_0_2_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_2;
-      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice when slice0winner1_tag_first_column else
+      slice1other_winner_0_2_choice_4 := slice1other_winner_0_2_choice when slice0winner1_pair_tag_first_column else
         slice1other_winner_0_2_choice_3;
-      slice1other_winner_0_2_choice_5 := slice0other_winner_out_0 when slice0winner1_tag_valid else
+      slice1other_winner_0_2_choice_5 := slice0other_winner_out_0 when slice0winner1_pair_tag_valid else
         slice1other_winner_0_2;
-      slice1other_winner_1_0_choice := 2 when slice0winner1_tag_valid else slice1other_winner_1_0;
+      slice1other_winner_1_0_choice := 2 when slice0winner1_pair_tag_valid else slice1other_winner_1_0;
       slice1other_winner_1_0_choice_2 := 2 when slice1other_cost_1_0_is_not_less else slice1other_winner_1_1;
-      slice1other_winner_1_0_choice_3 := slice1other_winner_1_0_choice_2 when slice0winner1_tag_valid else
+      slice1other_winner_1_0_choice_3 := slice1other_winner_1_0_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_1_0;
-      slice1other_winner_1_0_choice_4 := slice1other_winner_1_0_choice when slice0winner1_tag_first_column else
+      slice1other_winner_1_0_choice_4 := slice1other_winner_1_0_choice when slice0winner1_pair_tag_first_column else
         slice1other_winner_1_0_choice_3;
-      slice1other_winner_1_0_choice_5 := slice1other_winner_1_1 when slice0winner1_tag_valid else
+      slice1other_winner_1_0_choice_5 := slice1other_winner_1_1 when slice0winner1_pair_tag_valid else
         slice1other_winner_1_0;
-      slice1other_winner_1_1_choice := 3 when slice0winner1_tag_valid else slice1other_winner_1_1;
+      slice1other_winner_1_1_choice := 3 when slice0winner1_pair_tag_valid else slice1other_winner_1_1;
       slice1other_winner_1_1_choice_2 := 3 when slice1other_cost_1_1_is_not_less else slice1other_winner_1_2;
-      slice1other_winner_1_1_choice_3 := slice1other_winner_1_1_choice_2 when slice0winner1_tag_valid else
+      slice1other_winner_1_1_choice_3 := slice1other_winner_1_1_choice_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_1_1;
-      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice when slice0winner1_tag_first_column else
+      slice1other_winner_1_1_choice_4 := slice1other_winner_1_1_choice when slice0winner1_pair_tag_first_column else
         slice1other_winner_1_1_choice_3;
-      slice1other_winner_1_1_choice_5 := slice1other_winner_1_2 when slice0winner1_tag_valid else
+      slice1other_winner_1_1_choice_5 := slice1other_winner_1_2 when slice0winner1_pair_tag_valid else
         slice1other_winner_1_1;
-      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice0winner1_tag_output_column else
+      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_cost_0_0_choice_5;
-      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice0winner1_tag_output_column else
+      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_cost_0_1_choice_5;
-      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice0winner1_tag_output_column else
+      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_cost_0_2_choice_2;
-      slice1other_cost_1_0 <= slice1other_cost_1_0_choice_4 when slice0winner1_tag_output_column else
+      slice1other_cost_1_0 <= slice1other_cost_1_0_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_cost_1_0_choice_5;
-      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_4 when slice0winner1_tag_output_column else
+      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_cost_1_1_choice_5;
-      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice0winner1_tag_output_column else
+      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_winner_0_0_choice_5;
-      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice0winner1_tag_output_column else
+      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_winner_0_1_choice_5;
-      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice0winner1_tag_output_column else
+      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_winner_0_2_choice_5;
-      slice1other_winner_1_0 <= slice1other_winner_1_0_choice_4 when slice0winner1_tag_output_column else
+      slice1other_winner_1_0 <= slice1other_winner_1_0_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_winner_1_0_choice_5;
-      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_4 when slice0winner1_tag_output_column else
+      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_4 when slice0winner1_pair_tag_output_column else
         slice1other_winner_1_1_choice_5;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_cost_out_1 <= slice1other_cost_1_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
       slice1other_winner_out_1 <= slice1other_winner_1_0;
-      slice1other_cost_1_2_is_not_less := slice0other_cost_out_1 >= slice1window_sum_1_2;
+      slice1other_cost_1_2_is_not_less := (slice0other_cost_out_1 - slice1window_sum_1_2) >= 0;
       slice1other_cost_1_2_choice := slice1window_sum_1_2 when slice1other_cost_1_2_is_not_less else
         slice0other_cost_out_1;
-      slice1other_cost_1_2_choice_2 := slice1window_sum_1_2 when slice0winner1_tag_first_column else
+      slice1other_cost_1_2_choice_2 := slice1window_sum_1_2 when slice0winner1_pair_tag_first_column else
         slice1other_cost_1_2_choice;
       slice1other_winner_1_2_choice := 4 when slice1other_cost_1_2_is_not_less else slice0other_winner_out_1;
-      slice1other_winner_1_2_choice_2 := 4 when slice0winner1_tag_first_column else slice1other_winner_1_2_choice;
-      if slice0winner1_tag_valid then
-        slice1other_cost_1_2 <= slice1other_cost_1_2_choice_2 when slice0winner1_tag_output_column else
+      slice1other_winner_1_2_choice_2 := 4 when slice0winner1_pair_tag_first_column else slice1other_winner_1_2_choice;
+      if slice0winner1_pair_tag_valid then
+        slice1other_cost_1_2 <= slice1other_cost_1_2_choice_2 when slice0winner1_pair_tag_output_column else
           slice0other_cost_out_1;
-        slice1other_winner_1_2 <= slice1other_winner_1_2_choice_2 when slice0winner1_tag_output_column else
+        slice1other_winner_1_2 <= slice1other_winner_1_2_choice_2 when slice0winner1_pair_tag_output_column else
           slice0other_winner_out_1;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
@@ -1126,10 +1124,6 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       slice2shift_reference_3 <= slice1shift_reference_3;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1138,32 +1132,28 @@ begin
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
+      slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
       slice2cost_tag_first_cost <= slice1cost_tag_first_cost;
       slice2cost_tag_output_column <= slice1cost_tag_output_column;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -1178,44 +1168,48 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2other
-      slice2other_cost_0_1_all := (not slice0winner2_tag_first_column) and slice0winner2_tag_output_column;
-      slice2other_cost_0_1_is_not_less := slice1other_cost_out_0 >= slice2window_sum_0_1;
-      slice2other_cost_0_1_choice := slice2window_sum_0_1 when slice0winner2_tag_valid else slice2other_cost_0_1;
-      slice2other_cost_0_1_choice_2 := slice1other_cost_out_0 when slice0winner2_tag_valid else slice2other_cost_0_1;
+      slice2other_cost_0_1_all := (not slice0winner1_four_tag_first_column) and slice0winner1_four_tag_output_column;
+      slice2other_cost_0_1_is_not_less := (slice1other_cost_out_0 - slice2window_sum_0_1) >= 0;
+      slice2other_cost_0_1_choice := slice2window_sum_0_1 when slice0winner1_four_tag_valid else slice2other_cost_0_1;
+      slice2other_cost_0_1_choice_2 := slice1other_cost_out_0 when slice0winner1_four_tag_valid else
+        slice2other_cost_0_1;
       slice2other_cost_0_1_choice_3 := slice2other_cost_0_1_choice when slice2other_cost_0_1_is_not_less else
         slice2other_cost_0_1_choice_2;
-      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice when slice0winner2_tag_output_column else
+      slice2other_cost_0_1_choice_4 := slice2other_cost_0_1_choice when slice0winner1_four_tag_output_column else
         slice2other_cost_0_1_choice_2;
-      slice2other_cost_1_1_is_not_less := slice1other_cost_out_1 >= slice2window_sum_1_1;
-      slice2other_cost_1_1_choice := slice2window_sum_1_1 when slice0winner2_tag_valid else slice2other_cost_1_1;
-      slice2other_cost_1_1_choice_2 := slice1other_cost_out_1 when slice0winner2_tag_valid else slice2other_cost_1_1;
+      slice2other_cost_1_1_is_not_less := (slice1other_cost_out_1 - slice2window_sum_1_1) >= 0;
+      slice2other_cost_1_1_choice := slice2window_sum_1_1 when slice0winner1_four_tag_valid else slice2other_cost_1_1;
+      slice2other_cost_1_1_choice_2 := slice1other_cost_out_1 when slice0winner1_four_tag_valid else
+        slice2other_cost_1_1;
       slice2other_cost_1_1_choice_3 := slice2other_cost_1_1_choice when slice2other_cost_1_1_is_not_less else
         slice2other_cost_1_1_choice_2;
-      slice2other_cost_1_1_choice_4 := slice2other_cost_1_1_choice when slice0winner2_tag_output_column else
+      slice2other_cost_1_1_choice_4 := slice2other_cost_1_1_choice when slice0winner1_four_tag_output_column else
         slice2other_cost_1_1_choice_2;
-      slice2other_winner_0_0_choice := 0 when slice2other_cost_0_1 >= slice2window_sum_0_0 else slice2other_winner_0_1;
-      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner2_tag_valid else
+      slice2other_winner_0_0_choice := 0 when (slice2other_cost_0_1 - slice2window_sum_0_0) >= 0 else
+        slice2other_winner_0_1;
+      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner1_four_tag_valid else
         slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner2_tag_valid else
+      slice2other_winner_0_0_choice_3 := 0 when slice0winner1_four_tag_valid else slice2other_winner_0_0;
+      slice2other_winner_0_0_choice_4 := slice2other_winner_0_1 when slice0winner1_four_tag_valid else
         slice2other_winner_0_0;
-      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner2_tag_output_column else
+      slice2other_winner_0_0_choice_5 := slice2other_winner_0_0_choice_3 when slice0winner1_four_tag_output_column else
         slice2other_winner_0_0_choice_4;
       slice2other_winner_0_1_choice := 1 when slice2other_cost_0_1_is_not_less else slice1other_winner_out_0;
-      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner2_tag_valid else
+      slice2other_winner_0_1_choice_2 := slice2other_winner_0_1_choice when slice0winner1_four_tag_valid else
         slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_3 := 1 when slice0winner2_tag_valid else slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_4 := slice1other_winner_out_0 when slice0winner2_tag_valid else
+      slice2other_winner_0_1_choice_3 := 1 when slice0winner1_four_tag_valid else slice2other_winner_0_1;
+      slice2other_winner_0_1_choice_4 := slice1other_winner_out_0 when slice0winner1_four_tag_valid else
         slice2other_winner_0_1;
-      slice2other_winner_0_1_choice_5 := slice2other_winner_0_1_choice_3 when slice0winner2_tag_output_column else
+      slice2other_winner_0_1_choice_5 := slice2other_winner_0_1_choice_3 when slice0winner1_four_tag_output_column else
         slice2other_winner_0_1_choice_4;
-      slice2other_winner_1_0_choice := 0 when slice2other_cost_1_1 >= slice2window_sum_1_0 else slice2other_winner_1_1;
-      slice2other_winner_1_0_choice_2 := slice2other_winner_1_0_choice when slice0winner2_tag_valid else
+      slice2other_winner_1_0_choice := 0 when (slice2other_cost_1_1 - slice2window_sum_1_0) >= 0 else
+        slice2other_winner_1_1;
+      slice2other_winner_1_0_choice_2 := slice2other_winner_1_0_choice when slice0winner1_four_tag_valid else
         slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_3 := 0 when slice0winner2_tag_valid else slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_4 := slice2other_winner_1_1 when slice0winner2_tag_valid else
+      slice2other_winner_1_0_choice_3 := 0 when slice0winner1_four_tag_valid else slice2other_winner_1_0;
+      slice2other_winner_1_0_choice_4 := slice2other_winner_1_1 when slice0winner1_four_tag_valid else
         slice2other_winner_1_0;
-      slice2other_winner_1_0_choice_5 := slice2other_winner_1_0_choice_3 when slice0winner2_tag_output_column else
+      slice2other_winner_1_0_choice_5 := slice2other_winner_1_0_choice_3 when slice0winner1_four_tag_output_column else
         slice2other_winner_1_0_choice_4;
       slice2other_cost_0_1 <= slice2other_cost_0_1_choice_3 when slice2other_cost_0_1_all else
         slice2other_cost_0_1_choice_4;
@@ -1230,14 +1224,14 @@ begin
       slice2other_winner_out_0 <= slice2other_winner_0_0;
       slice2other_winner_out_1 <= slice2other_winner_1_0;
       slice2other_winner_1_1_choice := 1 when slice2other_cost_1_1_is_not_less else slice1other_winner_out_1;
-      slice2other_winner_1_1_choice_2 := 1 when slice0winner2_tag_output_column else slice1other_winner_out_1;
-      if slice0winner2_tag_valid then
+      slice2other_winner_1_1_choice_2 := 1 when slice0winner1_four_tag_output_column else slice1other_winner_out_1;
+      if slice0winner1_four_tag_valid then
         slice2other_winner_1_1 <= slice2other_winner_1_1_choice when slice2other_cost_0_1_all else
           slice2other_winner_1_1_choice_2;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -1249,11 +1243,16 @@ begin
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
@@ -1280,6 +1279,8 @@ begin
         downto 1)) = 1 else leftright_checked_passed_1_choice_3;
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_other_1_1 <= slice2other_winner_out_1;
+      leftright_other_2_0 <= leftright_other_1_0;
+      leftright_other_2_1 <= leftright_other_1_1;
       leftright_holds_winners <= (not slice2_best_tag_valid) and leftright_holds_winners when
         leftright_holds_winners_all else slice2_best_tag_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(slice2_best_tag_valid)) mod 16;
@@ -1322,10 +1323,10 @@ begin
         raster_features_search_0 <= 0;
         raster_features_search_1 <= 0;
         raster_features_reference <= 0;
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_ahead_0 <= 0;
@@ -1420,9 +1421,6 @@ begin
         slice0cost_difference_3_0 <= 0;
         slice0cost_difference_3_1 <= 0;
         slice0cost_difference_3_2 <= 0;
-        slice0cost_reverse_0_0 <= 0;
-        slice0cost_reverse_0_1 <= 0;
-        slice0cost_reverse_0_2 <= 0;
         slice0cost_difference_tag_valid <= false;
         slice0cost_difference_tag_border_column <= false;
         slice0cost_difference_tag_output_column <= false;
@@ -1431,18 +1429,15 @@ begin
         slice0cost_pair_0_0 <= 0;
         slice0cost_pair_0_1 <= 0;
         slice0cost_pair_0_2 <= 0;
+        slice0cost_negative_0_0 <= false;
+        slice0cost_negative_0_1 <= false;
+        slice0cost_negative_0_2 <= false;
         slice0cost_single_0_0 <= 0;
         slice0cost_single_0_1 <= 0;
         slice0cost_single_0_2 <= 0;
         slice0cost_single_3_0 <= 0;
         slice0cost_single_3_1 <= 0;
         slice0cost_single_3_2 <= 0;
-        slice0cost_negative_0_0 <= false;
-        slice0cost_negative_0_1 <= false;
-        slice0cost_negative_0_2 <= false;
-        slice0cost_negative_3_0 <= false;
-        slice0cost_negative_3_1 <= false;
-        slice0cost_negative_3_2 <= false;
         slice0cost_pair_tag_valid <= false;
         slice0cost_pair_tag_border_column <= false;
         slice0cost_pair_tag_output_column <= false;
@@ -1482,24 +1477,38 @@ begin
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= 0;
+        slice0winner1_of_pair_0_2 <= 0;
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= 0;
+        slice0winner1_of_pair_1_2 <= 0;
+        slice0winner1_pair_index_0_0 <= false;
+        slice0winner1_pair_index_0_1 <= 0;
+        slice0winner1_pair_index_1_0 <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_0_0 <= 0;
+        slice0winner1_four_index_1_0 <= 0;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_best_cost_0_0 <= 0;
-        slice0winner1_best_cost_0_1 <= 0;
         slice0winner1_best_cost_1_0 <= 0;
-        slice0winner1_best_cost_1_1 <= 0;
-        slice0winner1_best_index_0_0 <= false;
-        slice0winner1_best_index_0_1 <= 0;
-        slice0winner1_best_index_1_0 <= false;
+        slice0winner1_best_index_0_0 <= 0;
+        slice0winner1_best_index_1_0 <= 0;
         slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_best_cost_0_0 <= 0;
-        slice0winner2_best_cost_1_0 <= 0;
-        slice0winner2_best_index_0_0 <= 0;
-        slice0winner2_best_index_1_0 <= 0;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_cost_0_0 <= 0;
         slice0_best_cost_1_0 <= 0;
         slice0_best_index_0_0 <= 0;
@@ -1540,24 +1549,18 @@ begin
         slice1cost_difference_3_0 <= 0;
         slice1cost_difference_3_1 <= 0;
         slice1cost_difference_3_2 <= 0;
-        slice1cost_reverse_0_0 <= 0;
-        slice1cost_reverse_0_1 <= 0;
-        slice1cost_reverse_0_2 <= 0;
         slice1cost_pair_0_0 <= 0;
         slice1cost_pair_0_1 <= 0;
         slice1cost_pair_0_2 <= 0;
+        slice1cost_negative_0_0 <= false;
+        slice1cost_negative_0_1 <= false;
+        slice1cost_negative_0_2 <= false;
         slice1cost_single_0_0 <= 0;
         slice1cost_single_0_1 <= 0;
         slice1cost_single_0_2 <= 0;
         slice1cost_single_3_0 <= 0;
         slice1cost_single_3_1 <= 0;
         slice1cost_single_3_2 <= 0;
-        slice1cost_negative_0_0 <= false;
-        slice1cost_negative_0_1 <= false;
-        slice1cost_negative_0_2 <= false;
-        slice1cost_negative_3_0 <= false;
-        slice1cost_negative_3_1 <= false;
-        slice1cost_negative_3_2 <= false;
         slice1cost_column_0_0 <= 0;
         slice1cost_column_0_1 <= 0;
         slice1cost_column_0_2 <= 0;
@@ -1585,16 +1588,26 @@ begin
         slice1window_sum_1_1 <= 0;
         slice1window_sum_1_2 <= 0;
         slice1window_tag_output_column <= false;
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= 0;
+        slice1winner1_of_pair_0_2 <= 0;
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= 0;
+        slice1winner1_of_pair_1_2 <= 0;
+        slice1winner1_pair_index_0_0 <= false;
+        slice1winner1_pair_index_1_0 <= false;
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_0_0 <= 0;
+        slice1winner1_four_index_1_0 <= 0;
         slice1winner1_best_cost_0_0 <= 0;
-        slice1winner1_best_cost_0_1 <= 0;
         slice1winner1_best_cost_1_0 <= 0;
-        slice1winner1_best_cost_1_1 <= 0;
-        slice1winner1_best_index_0_0 <= false;
-        slice1winner1_best_index_1_0 <= false;
-        slice1winner2_best_cost_0_0 <= 0;
-        slice1winner2_best_cost_1_0 <= 0;
-        slice1winner2_best_index_0_0 <= 0;
-        slice1winner2_best_index_1_0 <= 0;
+        slice1winner1_best_index_0_0 <= 0;
+        slice1winner1_best_index_1_0 <= 0;
         slice1_best_cost_0_0 <= 0;
         slice1_best_cost_1_0 <= 0;
         slice1_best_index_0_0 <= 0;
@@ -1623,18 +1636,14 @@ begin
         slice2cost_difference_2_1 <= 0;
         slice2cost_difference_3_0 <= 0;
         slice2cost_difference_3_1 <= 0;
-        slice2cost_reverse_0_0 <= 0;
-        slice2cost_reverse_0_1 <= 0;
         slice2cost_pair_0_0 <= 0;
         slice2cost_pair_0_1 <= 0;
+        slice2cost_negative_0_0 <= false;
+        slice2cost_negative_0_1 <= false;
         slice2cost_single_0_0 <= 0;
         slice2cost_single_0_1 <= 0;
         slice2cost_single_3_0 <= 0;
         slice2cost_single_3_1 <= 0;
-        slice2cost_negative_0_0 <= false;
-        slice2cost_negative_0_1 <= false;
-        slice2cost_negative_3_0 <= false;
-        slice2cost_negative_3_1 <= false;
         slice2cost_column_0_0 <= 0;
         slice2cost_column_0_1 <= 0;
         slice2cost_column_1_0 <= 0;
@@ -1660,6 +1669,10 @@ begin
         slice2winner2_best_cost_1_0 <= 0;
         slice2winner2_best_index_0_0 <= false;
         slice2winner2_best_index_1_0 <= false;
+        slice2winner3_best_cost_0_0 <= 0;
+        slice2winner3_best_cost_1_0 <= 0;
+        slice2winner3_best_index_0_0 <= false;
+        slice2winner3_best_index_1_0 <= false;
         slice2_best_index_0_0 <= 0;
         slice2_best_index_1_0 <= 0;
         slice2_best_tag_valid <= false;

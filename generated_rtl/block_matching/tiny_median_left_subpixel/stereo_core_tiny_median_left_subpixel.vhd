@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_median_left_subpixel: 32x12, 8 disparities, window 3x3, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_median_left_subpixel: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 8, reference left, subpixel true, median true, slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_median_left_subpixel
@@ -17,7 +17,7 @@ entity stereo_core_tiny_median_left_subpixel is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
     output_width_px : positive := 24;
-    latency_clocks : positive := 32;
+    latency_clocks : positive := 38;
     flush_groups : positive := 66;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_median_left_subpixel: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_tiny_median_left_subpixel: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_median_left_subpixel: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 32 report "stereo_core_tiny_median_left_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 32" severity failure;
+  assert latency_clocks = 38 report "stereo_core_tiny_median_left_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 38" severity failure;
   assert flush_groups = 66 report "stereo_core_tiny_median_left_subpixel: flush_groups is " & integer'image(flush_groups) & " but this core has 66" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_median_left_subpixel: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_median_left_subpixel is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,15 +92,14 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal in_left_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
-  signal delay_ring_read_address, delay_ring_write_address, delay_row_inside_0, delay_row_inside_1 : boolean;
-  signal delay_row_inside_2, delay_tag_valid, delay_tag_border_column, delay_tag_map_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 255;
   signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_newest_inside : boolean;
+  signal delay_tag_border_column, delay_tag_map_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -112,26 +109,25 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_map_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_map_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid : boolean;
-  signal rows_tag_border_column, rows_tag_map_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_tag_newest_inside, rows_read_tag_border_column, rows_read_tag_map_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_tag_valid, rows_ready_tag_newest_inside : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_map_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_map_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
   signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
   signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
   signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
   signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_map_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
+  signal slice0shift_tag_map_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_1_0, slice0cost_reverse_1_1, slice0cost_difference_tag_valid : boolean;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_newest_inside : boolean;
   signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_map_column : boolean;
   signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
   signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_pair_tag_valid : boolean;
@@ -140,6 +136,7 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal slice0cost_tag_border_column, slice0cost_tag_map_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   -- slice0window
   signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
@@ -177,11 +174,10 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
   signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
@@ -210,10 +206,9 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   -- slice2cost
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
   signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
@@ -236,10 +231,9 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 7;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 7;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 7;
-  signal refinement_disparity_9_0, refinement_quotient_3_0 : natural range 0 to 7;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 7;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
-  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_tag_0_valid, refinement_tag_0_map_column : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_tag_0_valid, refinement_tag_0_map_column : boolean;
   signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
   signal refinement_tag_1_map_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
   signal refinement_tag_2_valid, refinement_tag_2_map_column, refinement_tag_2_start_of_frame : boolean;
@@ -252,40 +246,61 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal refinement_tag_7_map_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
   signal refinement_tag_8_valid, refinement_tag_8_map_column, refinement_tag_8_start_of_frame : boolean;
   signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_map_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_negative_0_0 : boolean;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_map_column, refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line : boolean;
+  signal refinement_tag_11_valid, refinement_tag_11_row_start, refinement_tag_11_map_column : boolean;
+  signal refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line, refinement_negative_0_0 : boolean;
   signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
   signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_remainder_0_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 4095;
+  signal refinement_tag_0_row_start : natural range 0 to 128;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 2301;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 4095;
   signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 4095;
   signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 4095;
   signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 4095;
   signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 4095;
   signal refinement_divisor_7_0 : natural range 0 to 4095;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_4_0 : natural range 0 to 15;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_6_0 : natural range 0 to 63;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_difference_0 : integer range -2301 to 2301;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
-  signal map_counter_column, map_read_column, map_ready_column, map_write_column, map_at_column : natural range 0 to 31;
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 31;
+  signal map_sorted_column : natural range 0 to 31;
   signal map_counter_group : natural range 0 to 15;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_output, map_ready_arrives, map_ready_behind, map_ready_top, map_ready_output : boolean;
-  signal map_at_arrives, map_at_behind, map_at_top, map_at_output, map_passed_0_0, map_passed_1_0 : boolean;
-  signal map_complete, map_first, map_last, map_waiting_passed_0, map_waiting_valid : boolean;
-  signal map_waiting_start_of_frame, map_waiting_end_of_line, map_out_passed_0, map_out_valid : boolean;
-  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_read_words_0 : unsigned(25 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 67108863;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_largest_low_0 : natural range 0 to 4095;
-  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 32767;
-  signal map_high_2_0, map_median_middle_0, map_smallest_high_0, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
   signal other_0 : natural range 0 to 8190;
+  signal other_1, other_2 : unsigned(48 downto 0);
+  signal other_3 : natural range 0 to 254;
+  signal other_4 : natural range 0 to 252;
+  signal other_5 : natural range 0 to 248;
+  signal other_6 : natural range 0 to 240;
+  signal other_7 : natural range 0 to 224;
+  signal other_8 : natural range 0 to 192;
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
@@ -327,50 +342,42 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_is_equal : boolean;
-    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
-    variable raster_place_next_frame_is_equal_2, raster_place_next_frame_all : boolean;
-    variable raster_place_next_frame_choice_3, raster_place_next_frame_all_2 : boolean;
-    variable delay_ring_read_address_is_not_less, delay_ring_write_address_choice : boolean;
-    variable delay_ring_write_address_choice_2, slice0cost_reverse_1_0_is_equal : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_2_0_is_not_less : boolean;
-    variable refinement_remainder_3_0_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
-    variable refinement_remainder_5_0_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
-    variable refinement_remainder_7_0_is_not_less, map_line_ended_choice, map_passed_1_0_all : boolean;
-    variable map_passed_1_0_any, map_complete_is_equal, map_median_middle_0_is_less : boolean;
-    variable map_out_disparity_0_is_less, map_low_0_0_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable refinement_tag_11_row_start_is_equal, refinement_tag_11_row_start_choice : boolean;
+    variable refinement_tag_11_row_start_choice_2, refinement_tag_11_row_start_is_equal_2 : boolean;
+    variable refinement_tag_11_row_start_all, refinement_tag_11_row_start_choice_3 : boolean;
+    variable refinement_tag_11_row_start_all_2, refinement_divisor_0_0_is_less, map_counter_group_is_equal : boolean;
+    variable map_line_ended_choice, map_at_arrives_value, map_window_complete_is_equal, map_low_1_0_all : boolean;
+    variable map_low_0_0_all : boolean;
     variable raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 15;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable slice0winner2_best_above_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 2301;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 2301;
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 2301;
-    variable refinement_remainder_0_0_choice, refinement_remainder_0_0_choice_2 : natural range 0 to 2301;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_value_2 : natural range 0 to 4095;
-    variable refinement_remainder_0_0_choice_3, refinement_remainder_0_0_choice_4 : natural range 0 to 4095;
-    variable refinement_remainder_1_0_choice, refinement_remainder_2_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_3_0_choice, refinement_remainder_4_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_5_0_choice, refinement_remainder_6_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_7_0_choice, map_largest_low_0_choice, map_low_0_0_choice_2 : natural range 0 to 4095;
-    variable map_low_0_0_choice_3, map_low_0_0_choice_4, map_low_0_0_choice_5 : natural range 0 to 4095;
-    variable map_low_0_0_choice_6, map_middle_0_0_choice : natural range 0 to 4095;
+    variable refinement_tag_0_row_start_difference : natural range 4097 to 10493;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 4097 to 16382;
+    variable refinement_divisor_0_0_choice, map_of_column_0_a_choice : natural range 0 to 4095;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_median_middle_0_choice_3, map_smallest_high_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice_3, map_low_0_0_choice, map_middle_0_0_choice_2 : natural range 0 to 32767;
-    variable map_middle_0_0_choice_3, map_middle_0_0_choice_4, map_high_0_0_choice : natural range 0 to 32767;
-    variable map_high_0_0_choice_2 : natural range 0 to 32767;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
       -- raster
@@ -381,58 +388,40 @@ begin
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
       raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
         1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when delay_ring_write_address and (raster_place_group = 12) else
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
-      raster_place_next_frame_is_equal := map_counter_column = 23;
-      raster_place_next_frame_choice := (map_counter_group /= 12) and raster_place_next_frame when
-        raster_place_next_frame_is_equal else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame when map_counter_group = 13 else
-        raster_place_next_frame_choice;
-      raster_place_next_frame_is_equal_2 := map_counter_group = 11;
-      raster_place_next_frame_all := raster_place_next_frame_is_equal and raster_place_next_frame_is_equal_2;
-      raster_place_next_frame_choice_3 := raster_place_next_frame_all or (not refinement_tag_9_start_of_frame) when
-        raster_place_next_frame_choice_2 else raster_place_next_frame_is_equal and raster_place_next_frame_is_equal_2
-        and refinement_tag_9_start_of_frame;
-      raster_place_next_frame_all_2 := refinement_tag_9_valid and refinement_tag_9_map_column;
       raster_features_search_0 <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel;
-      raster_features_start_of_frame <= slice0cost_reverse_1_1;
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
-      raster_place_next_frame <= raster_place_next_frame or raster_place_next_frame_all_2 when
-        raster_place_next_frame_choice_3 else raster_place_next_frame and ((not refinement_tag_9_valid) or (not
-        refinement_tag_9_map_column));
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
       if in_valid then
         raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
-      delay_ring_read_address_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
-      delay_ring_read_address <= delay_ring_read_address_is_not_less;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1 <= (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_2 <= refinement_passed_5_0;
       delay_tag_valid <= raster_features_valid;
+      delay_tag_newest_inside <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
       delay_tag_map_column <= (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24;
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
-      delay_ring_write_address_choice := delay_ring_write_address and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else delay_ring_write_address;
-      delay_ring_write_address_choice_2 := delay_ring_write_address_choice when raster_place_group_is_equal_3 else
-        delay_ring_write_address;
-      if in_valid then
-        delay_ring_write_address <= raster_place_group_all or (not in_start_of_frame) when
-          delay_ring_write_address_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
-      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -445,6 +434,7 @@ begin
       rows_read_inside_1 <= delay_row_inside_1;
       rows_read_inside_2 <= delay_row_inside_2;
       rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_newest_inside <= delay_tag_newest_inside;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_map_column <= delay_tag_map_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
@@ -454,16 +444,17 @@ begin
       rows_ready_inside_1 <= rows_read_inside_1;
       rows_ready_inside_2 <= rows_read_inside_2;
       rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_newest_inside <= rows_read_tag_newest_inside;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_inside_2 <= rows_ready_inside_2;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
@@ -496,18 +487,12 @@ begin
       slice0shift_search_out_1 <= slice0shift_search_1_2;
       slice0shift_search_out_2 <= slice0shift_search_2_2;
       slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_newest_inside <= rows_inside_2;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_map_column <= rows_tag_map_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_reverse_1_0_is_equal := map_counter_group = 12;
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -517,28 +502,24 @@ begin
       slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
       slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
       slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_1_0 <= slice0cost_reverse_1_0_is_equal;
-      slice0cost_reverse_1_1 <= slice0cost_reverse_1_0;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
@@ -575,7 +556,7 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
@@ -591,7 +572,7 @@ begin
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
@@ -636,12 +617,6 @@ begin
       slice1shift_search_out_1 <= slice1shift_search_1_2;
       slice1shift_search_out_2 <= slice1shift_search_2_2;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -651,21 +626,18 @@ begin
       slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
       slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
       slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_0_0;
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
@@ -686,7 +658,7 @@ begin
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
@@ -696,7 +668,7 @@ begin
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
@@ -710,7 +682,7 @@ begin
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice1winner2_best_cost_0_0 < slice0_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0_best_cost_0_0) < 0;
       slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner2_best_index_0_0 = 0 else
         slice1winner2_best_below_0_0;
       slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice0_best_index_0_0 = 2 else
@@ -740,26 +712,20 @@ begin
       slice2shift_reference_1 <= slice1shift_reference_1;
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
       slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_0_0;
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
@@ -774,7 +740,7 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
@@ -788,7 +754,7 @@ begin
       slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_0;
       slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice2winner2_best_cost_0_0 < slice1_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice2winner2_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
         slice1_best_last_0_0;
       slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice1_best_index_0_0 = 5 else
@@ -805,30 +771,27 @@ begin
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- refinement
-      refinement_remainder_0_0_choice := slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else
-        slice2_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_choice_2 := slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else
-        slice2_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when delay_ring_read_address_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_tag_0_row_start_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
+      refinement_tag_11_row_start_is_equal := map_counter_column = 23;
+      refinement_tag_11_row_start_choice := (map_counter_group /= 12) and refinement_tag_11_row_start when
+        refinement_tag_11_row_start_is_equal else refinement_tag_11_row_start;
+      refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start when map_counter_group = 13 else
+        refinement_tag_11_row_start_choice;
+      refinement_tag_11_row_start_is_equal_2 := map_counter_group = 11;
+      refinement_tag_11_row_start_all := refinement_tag_11_row_start_is_equal and
+        refinement_tag_11_row_start_is_equal_2;
+      refinement_tag_11_row_start_choice_3 := refinement_tag_11_row_start_all or (not refinement_tag_11_start_of_frame)
+        when refinement_tag_11_row_start_choice_2 else refinement_tag_11_row_start_is_equal and
+        refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_start_of_frame;
+      refinement_tag_11_row_start_all_2 := refinement_tag_11_valid and refinement_tag_11_map_column;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 8192) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 8192) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -851,16 +814,16 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
       refinement_passed_3_0 <= refinement_passed_2_0;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
-      refinement_passed_6_0 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      refinement_passed_7_0 <= refinement_passed_6_0;
-      refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_tag_0_valid <= slice2_best_tag_valid;
+      refinement_tag_0_row_start <= (refinement_tag_0_row_start_difference / 8192) * 128;
       refinement_tag_0_map_column <= slice2_best_tag_map_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
       refinement_tag_0_end_of_line <= slice2_best_tag_end_of_line;
@@ -900,16 +863,40 @@ begin
       refinement_tag_9_map_column <= refinement_tag_8_map_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 4096;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 4096;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 2048) * 2) - refinement_remainder_2_0_choice) mod
-        4096;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 4096;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 4096;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 4096;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 4096;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 4096;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2 when
+        refinement_tag_11_row_start_choice_3 else refinement_tag_11_row_start and ((not refinement_tag_11_valid) or
+        (not refinement_tag_11_map_column));
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice2_best_cost_0_0;
+      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
+      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096 when
+        (refinement_tag_0_row_start_difference / 8192) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
+        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
+        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
+        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
+        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
+        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
+        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -917,16 +904,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_2_0 <= (as_number(delay_ring_read_address) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_quotient_8_0 <= (((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 8192) +
+        ((other_3 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -937,151 +917,199 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- map
-      if raster_place_next_frame_all_2 then
-        map_counter_column <= 0 when raster_place_next_frame_is_equal or refinement_tag_9_start_of_frame else
+      if refinement_tag_11_row_start_all_2 then
+        map_counter_column <= 0 when refinement_tag_11_row_start_is_equal or refinement_tag_11_start_of_frame else
           (map_counter_column + 1) mod 32;
       end if;
-      map_counter_group_choice := 3 when raster_place_next_frame_all else 0;
-      map_counter_group_choice_2 := 1 when slice0cost_reverse_1_0_is_equal and raster_place_next_frame else
+      map_counter_group_choice := 3 when refinement_tag_11_row_start_all else 0;
+      map_counter_group_is_equal := map_counter_group = 12;
+      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and refinement_tag_11_row_start else
         (map_counter_group + 1) mod 16;
       map_counter_group_choice_3 := map_counter_group_choice_2 when (map_counter_group /= 13) and
-        raster_place_next_frame_is_equal and refinement_tag_9_valid and refinement_tag_9_map_column else
+        refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and refinement_tag_11_map_column else
         map_counter_group;
-      map_line_ended_choice := refinement_tag_9_map_column when refinement_tag_9_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_passed_1_0_any := map_at_arrives or map_at_behind;
-      map_complete_is_equal := map_write_column = 0;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      if map_out_disparity_0_is_less then
-        map_out_disparity_0_choice := map_largest_low_0;
+      map_line_ended_choice := refinement_tag_11_map_column when refinement_tag_11_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_out_disparity_0_choice := map_median_middle_0;
+        map_of_column_0_a_choice := other_0 / 2;
       end if;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
-      map_counter_group <= map_counter_group_choice * 4 when refinement_tag_9_start_of_frame and refinement_tag_9_valid
-        and refinement_tag_9_map_column else map_counter_group_choice_3;
-      map_newest_0 <= (((((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
-        mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) + as_number(rows_inside_2);
-      map_arrives <= raster_place_next_frame_all_2;
-      map_behind <= map_line_ended and refinement_tag_9_valid;
-      map_line_ended <= map_line_ended_choice when refinement_tag_9_end_of_line else map_line_ended and (not
-        refinement_tag_9_valid);
+      if map_counter_next_frame then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_is_equal := map_sorted_column = 0;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice * 4 when refinement_tag_11_start_of_frame and
+        refinement_tag_11_valid and refinement_tag_11_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
+      map_newest_0 <= (((((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
+        mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) +
+        as_number(slice0cost_difference_tag_newest_inside);
+      map_arrives <= refinement_tag_11_row_start_all_2;
+      map_behind <= map_line_ended and refinement_tag_11_valid;
+      map_line_ended <= map_line_ended_choice when refinement_tag_11_end_of_line else map_line_ended and (not
+        refinement_tag_11_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 12;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
+      map_write_column <= to_integer(other_1(4 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_output <= map_ready_output;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_complete <= map_at_output and map_at_behind when map_complete_is_equal else map_at_output and
-        map_passed_1_0_any;
-      map_first <= map_at_arrives and map_at_top and (map_write_column = 1);
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_is_equal else
+        map_sorted_output and (map_sorted_arrives or map_sorted_behind);
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= map_ready_column;
+        map_at_column <= to_integer(other_1(4 downto 0));
       end if;
-      if raster_features_start_of_frame then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := map_column_2 / 2;
-      end if;
-      if map_at_top then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := other_0 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice_2;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_3 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      if raster_features_start_of_frame then
-        map_low_0_0_choice_4 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_4 := (map_column_2 / 2) mod 4096;
-      end if;
-      map_low_0_0_choice_5 := map_low_0_0_choice_4 when map_low_0_0_choice < map_low_0_0_choice_3 else
-        map_low_0_0_choice_3;
-      map_low_0_0_choice_6 := map_low_0_0 when map_at_behind else map_low_0_0_choice_5;
-      map_low_1_0_all := map_at_arrives and map_complete_is_equal;
-      map_middle_0_0_choice := map_low_0_0_choice_2 when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := map_low_0_0_choice < map_middle_0_0_choice;
-      map_middle_0_0_choice_2 := map_low_0_0_choice when map_middle_0_0_is_less else map_middle_0_0_choice;
-      if map_middle_0_0_choice_2 < map_low_0_0_choice_3 then
-        map_middle_0_0_choice_3 := map_low_0_0_choice_3;
-      else
-        map_middle_0_0_choice_3 := map_middle_0_0_choice_2;
-      end if;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      if map_middle_0_0_is_less then
-        map_high_0_0_choice := map_middle_0_0_choice;
-      else
-        map_high_0_0_choice := map_low_0_0_choice;
-      end if;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      if not map_passed_1_0_all then
-        map_low_0_0 <= map_low_0_0_choice_6;
-        map_low_1_0 <= map_low_0_0_choice_6 when map_low_1_0_all else map_low_0_0;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and map_window_complete_is_equal;
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      if not map_low_0_0_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
       other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
+      other_1 <= other_2;
+      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_3 <= ((refinement_remainder_7_0_difference / 8192) * 2) + ((other_4 / 4) * 4);
+      other_4 <= ((refinement_remainder_6_0_difference / 8192) * 4) + ((other_5 / 8) * 8);
+      other_5 <= ((refinement_remainder_5_0_difference / 8192) * 8) + ((other_6 / 16) * 16);
+      other_6 <= ((refinement_remainder_4_0_difference / 8192) * 16) + ((other_7 / 32) * 32);
+      other_7 <= ((refinement_remainder_3_0_difference / 8192) * 32) + ((other_8 / 64) * 64);
+      other_8 <= ((refinement_remainder_2_0_difference / 8192) * 64) + ((refinement_tag_0_row_start / 128) * 128);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
         raster_place_next_frame <= false;
-        delay_ring_write_address <= false;
         delay_column <= 0;
         delay_tag_valid <= false;
         delay_tag_map_column <= false;
@@ -1185,36 +1213,53 @@ begin
         refinement_tag_9_map_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_row_start <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_counter_column <= 0;
         map_counter_group <= 13;
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_1 <= to_unsigned(0, 49);
+        other_2 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

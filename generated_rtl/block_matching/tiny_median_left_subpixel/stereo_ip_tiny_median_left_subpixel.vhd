@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 32,
+      latency_clocks => 38,
       flush_groups => 66,
       gap_groups => 0,
-      core_id => x"971c457b",
+      core_id => x"8e432d12",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 32,
+      latency_clocks => 38,
       flush_groups => 66,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_median_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 22;
+    latency_clocks : positive := 27;
     flush_groups : positive := 65;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_median_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_median_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_median_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 22 report "stereo_core_tiny_median_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
+  assert latency_clocks = 27 report "stereo_core_tiny_median_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 27" severity failure;
   assert flush_groups = 65 report "stereo_core_tiny_median_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 65" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_median_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_median_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_median_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_median_p2 is
   -- raster
   signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
   signal raster_features_reference : natural range 0 to 65535;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -137,18 +135,16 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_map_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_map_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_map_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_map_column, slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line : boolean;
+  signal slice0cost_tag_valid, slice0cost_tag_border_column, slice0cost_tag_map_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
   -- slice0window
@@ -162,18 +158,21 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
   signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_map_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
   signal slice0winner1_tag_map_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -190,12 +189,11 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -206,14 +204,16 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -226,10 +226,10 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
   signal slice2cost_column_1_1 : natural range 0 to 767;
   -- slice2window
@@ -245,34 +245,57 @@ architecture rtl of stereo_core_tiny_median_p2 is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
   -- map
-  signal map_counter_column, map_read_column, map_ready_column, map_write_column, map_column_1 : natural range 0 to 31;
-  signal map_column_2, map_at_column : natural range 0 to 31;
+  signal map_counter_column, map_write_column, map_column_1, map_column_2, map_at_column : natural range 0 to 31;
+  signal map_comparing_column, map_sorted_column : natural range 0 to 31;
   signal map_counter_group : natural range 0 to 7;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_bottom, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_of_column_1_c_below_a, map_of_column_1_c_below_b : boolean;
+  signal map_column_passed_0_0, map_column_passed_0_1, map_column_passed_1_0, map_column_passed_1_1 : boolean;
+  signal map_comparing_arrives, map_comparing_behind, map_comparing_top, map_comparing_output : boolean;
+  signal map_sorted_arrives, map_sorted_behind, map_sorted_top, map_sorted_output, map_passed_0_0 : boolean;
+  signal map_passed_0_1, map_passed_1_0, map_passed_1_1, map_window_complete, map_window_first : boolean;
+  signal map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a, map_of_low_0_c_below_b : boolean;
+  signal map_of_low_1_b_below_a, map_of_low_1_c_below_a, map_of_low_1_c_below_b, map_of_middle_0_b_below_a : boolean;
+  signal map_of_middle_0_c_below_a, map_of_middle_0_c_below_b, map_of_middle_1_b_below_a : boolean;
+  signal map_of_middle_1_c_below_a, map_of_middle_1_c_below_b, map_of_high_0_b_below_a : boolean;
+  signal map_of_high_0_c_below_a, map_of_high_0_c_below_b, map_of_high_1_b_below_a, map_of_high_1_c_below_a : boolean;
+  signal map_of_high_1_c_below_b, map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b : boolean;
+  signal map_of_all_1_b_below_a, map_of_all_1_c_below_a, map_of_all_1_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_0_1, map_waiting_passed_1_0, map_waiting_passed_1_1 : boolean;
+  signal map_waiting_passed_2_0, map_waiting_passed_2_1, map_out_passed_0, map_out_passed_1, map_out_valid : boolean;
+  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_3 : natural range 0 to 15;
-  signal map_low_0_1, map_low_1_1, map_low_2_1, map_middle_0_1, map_middle_1_1, map_middle_2_1 : natural range 0 to 15;
-  signal map_high_0_1, map_high_1_1, map_high_2_1, map_largest_low_1, map_median_middle_1 : natural range 0 to 15;
-  signal map_smallest_high_1, map_out_disparity_1 : natural range 0 to 15;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_bottom, map_read_output, map_ready_arrives, map_ready_behind, map_ready_top : boolean;
-  signal map_ready_bottom, map_ready_output, map_at_arrives, map_at_behind, map_at_top, map_at_bottom : boolean;
-  signal map_at_output, map_passed_0_0, map_passed_0_1, map_passed_1_0, map_passed_1_1, map_complete : boolean;
-  signal map_first, map_last, map_waiting_passed_0, map_waiting_passed_1, map_waiting_valid : boolean;
-  signal map_waiting_start_of_frame, map_waiting_end_of_line, map_out_passed_0, map_out_passed_1 : boolean;
-  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_of_column_1_c : natural range 0 to 15;
+  signal map_sorted_low_0, map_sorted_low_1, map_sorted_middle_0, map_sorted_middle_1 : natural range 0 to 15;
+  signal map_sorted_high_0, map_sorted_high_1, map_low_0_0, map_low_0_1, map_low_1_0 : natural range 0 to 15;
+  signal map_low_1_1, map_low_2_0, map_low_2_1, map_middle_0_0, map_middle_0_1, map_middle_1_0 : natural range 0 to 15;
+  signal map_middle_1_1, map_middle_2_0, map_middle_2_1, map_high_0_0, map_high_0_1 : natural range 0 to 15;
+  signal map_high_1_0, map_high_1_1, map_high_2_0, map_high_2_1, map_of_low_0_a, map_of_low_0_b : natural range 0 to 15;
+  signal map_of_low_0_c, map_of_low_1_a, map_of_low_1_b, map_of_low_1_c, map_of_middle_0_a : natural range 0 to 15;
+  signal map_of_middle_0_b, map_of_middle_0_c, map_of_middle_1_a, map_of_middle_1_b : natural range 0 to 15;
+  signal map_of_middle_1_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c, map_of_high_1_a : natural range 0 to 15;
+  signal map_of_high_1_b, map_of_high_1_c, map_largest_low_0, map_largest_low_1 : natural range 0 to 15;
+  signal map_median_middle_0, map_median_middle_1, map_smallest_high_0, map_smallest_high_1 : natural range 0 to 15;
+  signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_of_all_1_a, map_of_all_1_b : natural range 0 to 15;
+  signal map_of_all_1_c, map_out_disparity_0, map_out_disparity_1 : natural range 0 to 15;
   signal map_rows_read_words_0 : unsigned(22 downto 0);
   signal map_rows_ready_words_0 : natural range 0 to 8388607;
   signal map_rows_write_words_0 : natural range 0 to 4194303;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0, map_middle_2_0 : natural range 0 to 255;
-  signal map_high_0_0, map_high_1_0, map_high_2_0, map_largest_low_0, map_median_middle_0 : natural range 0 to 255;
-  signal map_smallest_high_0, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0, other_1, other_2 : natural range 0 to 3932160;
-  signal other_3 : natural range 0 to 510;
+  signal other_0, other_2 : unsigned(48 downto 0);
+  signal other_1 : natural range 0 to 30;
+  signal other_3, other_4, other_5 : natural range 0 to 3932160;
   signal map_rows_read_words_0_memory_write_data : unsigned(22 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
@@ -322,82 +345,128 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_features_start_of_frame_is_equal, raster_features_start_of_frame_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable raster_features_start_of_frame_choice_3, raster_features_start_of_frame_all_2 : boolean;
-    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
-    variable delay_row_inside_0_value, delay_row_inside_0_any, delay_row_inside_1_any : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, map_counter_group_is_equal, map_line_ended_choice : boolean;
-    variable map_passed_1_0_all, map_passed_1_0_any, map_complete_is_equal, map_median_middle_0_is_less : boolean;
-    variable map_median_middle_1_is_less, map_out_disparity_0_is_less, map_out_disparity_1_is_less : boolean;
-    variable map_low_0_0_is_less, map_low_0_1_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
-    variable map_middle_0_1_is_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
+    variable map_counter_column_is_equal, map_counter_column_all, map_counter_group_is_equal : boolean;
+    variable map_counter_group_all, map_counter_group_any, map_counter_group_is_equal_2 : boolean;
+    variable map_counter_next_frame_choice, map_counter_next_frame_choice_2, map_line_ended_choice : boolean;
+    variable map_at_arrives_value, map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_value_2 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_5 : boolean;
+    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_5 : boolean;
+    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_b_choice : boolean;
+    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
+    variable map_of_column_1_c_below_a_value, map_of_column_1_c_below_a_choice : boolean;
+    variable map_of_column_1_c_below_a_value_2, map_of_column_1_c_below_a_choice_2 : boolean;
+    variable map_of_column_1_c_below_a_choice_3, map_of_column_1_c_below_a_choice_4 : boolean;
+    variable map_of_column_1_c_below_a_choice_5, map_of_column_1_c_below_a_choice_6 : boolean;
+    variable map_of_column_1_c_below_b_choice, map_of_column_1_c_below_b_choice_2, map_passed_1_0_all : boolean;
+    variable map_passed_1_0_any, map_window_complete_all, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
+    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2 : boolean;
+    variable map_of_low_0_c_below_a_choice_3, map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2 : boolean;
+    variable map_of_low_0_c_below_b_choice_3, map_of_low_1_b_below_a_value, map_of_low_1_b_below_a_choice : boolean;
+    variable map_of_low_1_b_below_a_is_equal, map_of_low_1_b_below_a_choice_2, map_of_low_1_b_below_a_value_2 : boolean;
+    variable map_of_low_1_b_below_a_value_3, map_of_low_1_b_below_a_choice_3, map_of_low_1_c_below_a_value : boolean;
+    variable map_of_low_1_c_below_a_choice, map_of_low_1_c_below_a_choice_2, map_of_low_1_c_below_a_choice_3 : boolean;
+    variable map_of_low_1_c_below_b_choice, map_of_low_1_c_below_b_choice_2, map_of_low_1_c_below_b_choice_3 : boolean;
+    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
+    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_2 : boolean;
+    variable map_of_middle_0_b_below_a_value_2, map_of_middle_0_b_below_a_value_3 : boolean;
+    variable map_of_middle_0_b_below_a_choice_3, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_choice, map_of_middle_0_c_below_a_choice_2 : boolean;
+    variable map_of_middle_0_c_below_a_choice_3, map_of_middle_0_c_below_b_choice : boolean;
+    variable map_of_middle_0_c_below_b_choice_2, map_of_middle_0_c_below_b_choice_3 : boolean;
+    variable map_of_middle_1_b_below_a_value, map_of_middle_1_b_below_a_choice : boolean;
+    variable map_of_middle_1_b_below_a_is_equal, map_of_middle_1_b_below_a_choice_2 : boolean;
+    variable map_of_middle_1_b_below_a_value_2, map_of_middle_1_b_below_a_value_3 : boolean;
+    variable map_of_middle_1_b_below_a_choice_3, map_of_middle_1_c_below_a_value : boolean;
+    variable map_of_middle_1_c_below_a_choice, map_of_middle_1_c_below_a_choice_2 : boolean;
+    variable map_of_middle_1_c_below_a_choice_3, map_of_middle_1_c_below_b_choice : boolean;
+    variable map_of_middle_1_c_below_b_choice_2, map_of_middle_1_c_below_b_choice_3 : boolean;
+    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
+    variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3, map_of_high_0_c_below_a_value : boolean;
+    variable map_of_high_0_c_below_a_choice, map_of_high_0_c_below_a_choice_2 : boolean;
+    variable map_of_high_0_c_below_a_choice_3, map_of_high_0_c_below_b_choice : boolean;
+    variable map_of_high_0_c_below_b_choice_2, map_of_high_0_c_below_b_choice_3 : boolean;
+    variable map_of_high_1_b_below_a_value, map_of_high_1_b_below_a_choice, map_of_high_1_b_below_a_is_equal : boolean;
+    variable map_of_high_1_b_below_a_choice_2, map_of_high_1_b_below_a_value_2 : boolean;
+    variable map_of_high_1_b_below_a_value_3, map_of_high_1_b_below_a_choice_3, map_of_high_1_c_below_a_value : boolean;
+    variable map_of_high_1_c_below_a_choice, map_of_high_1_c_below_a_choice_2 : boolean;
+    variable map_of_high_1_c_below_a_choice_3, map_of_high_1_c_below_b_choice : boolean;
+    variable map_of_high_1_c_below_b_choice_2, map_of_high_1_c_below_b_choice_3, map_of_all_0_b_below_a_value : boolean;
+    variable map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal, map_of_all_0_b_below_a_choice_2 : boolean;
+    variable map_of_all_0_b_below_a_value_2, map_of_all_0_b_below_a_value_3, map_of_all_0_b_below_a_choice_3 : boolean;
+    variable map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice, map_of_all_0_c_below_a_choice_2 : boolean;
+    variable map_of_all_0_c_below_a_choice_3, map_of_all_0_c_below_b_choice, map_of_all_0_c_below_b_choice_2 : boolean;
+    variable map_of_all_0_c_below_b_choice_3, map_of_all_1_b_below_a_value, map_of_all_1_b_below_a_choice : boolean;
+    variable map_of_all_1_b_below_a_is_equal, map_of_all_1_b_below_a_choice_2, map_of_all_1_b_below_a_value_2 : boolean;
+    variable map_of_all_1_b_below_a_value_3, map_of_all_1_b_below_a_choice_3, map_of_all_1_c_below_a_value : boolean;
+    variable map_of_all_1_c_below_a_choice, map_of_all_1_c_below_a_choice_2, map_of_all_1_c_below_a_choice_3 : boolean;
+    variable map_of_all_1_c_below_b_choice, map_of_all_1_c_below_b_choice_2, map_of_all_1_c_below_b_choice_3 : boolean;
     variable raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice, map_largest_low_0_choice : natural range 0 to 255;
-    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 255;
-    variable map_median_middle_0_choice_3, map_smallest_high_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 255;
-    variable map_out_disparity_0_choice_3, map_low_0_0_choice, map_low_0_0_choice_2 : natural range 0 to 255;
-    variable map_low_0_0_choice_3, map_low_0_0_choice_4, map_middle_0_0_choice : natural range 0 to 255;
-    variable map_middle_0_0_choice_2, map_middle_0_0_choice_3, map_middle_0_0_choice_4 : natural range 0 to 255;
-    variable map_high_0_0_choice, map_high_0_0_choice_2 : natural range 0 to 255;
-    variable map_largest_low_1_choice, map_median_middle_1_choice, map_median_middle_1_choice_2 : natural range 0 to 15;
-    variable map_median_middle_1_choice_3, map_smallest_high_1_choice : natural range 0 to 15;
+    variable map_sorted_low_0_choice, map_sorted_low_0_choice_2, map_sorted_low_1_choice : natural range 0 to 15;
+    variable map_sorted_low_1_choice_2, map_sorted_middle_0_choice : natural range 0 to 15;
+    variable map_sorted_middle_0_choice_2, map_sorted_middle_1_choice : natural range 0 to 15;
+    variable map_sorted_middle_1_choice_2, map_sorted_high_0_choice, map_sorted_high_0_choice_2 : natural range 0 to 15;
+    variable map_sorted_high_1_choice, map_sorted_high_1_choice_2, map_largest_low_0_choice : natural range 0 to 15;
+    variable map_largest_low_0_choice_2, map_largest_low_1_choice, map_largest_low_1_choice_2 : natural range 0 to 15;
+    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 15;
+    variable map_median_middle_0_choice_3, map_median_middle_0_choice_4 : natural range 0 to 15;
+    variable map_median_middle_1_choice, map_median_middle_1_choice_2 : natural range 0 to 15;
+    variable map_median_middle_1_choice_3, map_median_middle_1_choice_4 : natural range 0 to 15;
+    variable map_smallest_high_0_choice, map_smallest_high_0_choice_2 : natural range 0 to 15;
+    variable map_smallest_high_1_choice, map_smallest_high_1_choice_2 : natural range 0 to 15;
+    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 15;
+    variable map_out_disparity_0_choice_3, map_out_disparity_0_choice_4 : natural range 0 to 15;
     variable map_out_disparity_1_choice, map_out_disparity_1_choice_2 : natural range 0 to 15;
-    variable map_out_disparity_1_choice_3, map_low_0_1_choice, map_low_0_1_choice_2 : natural range 0 to 15;
-    variable map_low_0_1_choice_3, map_low_0_1_choice_4, map_middle_0_1_choice : natural range 0 to 15;
-    variable map_middle_0_1_choice_2, map_middle_0_1_choice_3, map_middle_0_1_choice_4 : natural range 0 to 15;
-    variable map_high_0_1_choice, map_high_0_1_choice_2 : natural range 0 to 15;
+    variable map_out_disparity_1_choice_3, map_out_disparity_1_choice_4, map_low_0_0_choice : natural range 0 to 15;
+    variable map_low_0_1_choice, map_middle_0_0_choice, map_middle_0_1_choice : natural range 0 to 15;
+    variable map_high_0_0_choice, map_high_0_1_choice : natural range 0 to 15;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_features_start_of_frame_is_equal := map_counter_column = 23;
-      raster_features_start_of_frame_all := raster_features_start_of_frame_is_equal and (map_counter_group = 5);
-      raster_features_start_of_frame_choice := (map_counter_group /= 6) and raster_features_start_of_frame when
-        raster_features_start_of_frame_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame when map_counter_group = 7 else
-        raster_features_start_of_frame_choice;
-      raster_features_start_of_frame_choice_3 := raster_features_start_of_frame_all when slice2_best_tag_start_of_frame
-        else raster_features_start_of_frame_choice_2;
-      raster_features_start_of_frame_all_2 := slice2_best_tag_valid and slice2_best_tag_map_column;
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
+        raster_place_group_is_equal and in_valid else raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := in_valid when raster_place_group_all else in_valid and (not
+        in_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid and in_start_of_frame;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
-      raster_features_start_of_frame <= raster_features_start_of_frame or raster_features_start_of_frame_all_2 when
-        raster_features_start_of_frame_choice_3 else raster_features_start_of_frame and ((not slice2_best_tag_valid) or
-        (not slice2_best_tag_map_column));
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not in_valid) and raster_place_next_frame);
       if in_valid then
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
-        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
       end if;
       -- delay
       if raster_features_valid then
@@ -416,7 +485,7 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_map_column <= ((raster_place_column + 65529) mod 65536) < 24;
+      delay_tag_map_column <= (raster_place_column >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -497,12 +566,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -515,49 +578,43 @@ begin
       slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
@@ -592,47 +649,60 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_map_column <= slice0window_tag_map_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 12)))) or (to_unsigned(slice0winner1_of_four_1_0, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_map_column <= slice0winner1_tag_map_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -657,12 +727,6 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -675,39 +739,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -731,36 +789,45 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -781,10 +848,6 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       slice2shift_reference_3 <= slice1shift_reference_3;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -793,30 +856,26 @@ begin
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
+      slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -831,8 +890,8 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -844,210 +903,561 @@ begin
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- map
-      if raster_features_start_of_frame_all_2 then
-        map_counter_column <= 0 when raster_features_start_of_frame_is_equal or slice2_best_tag_start_of_frame else
+      map_counter_column_is_equal := map_counter_column = 23;
+      map_counter_column_all := slice2_best_tag_valid and slice2_best_tag_map_column;
+      if map_counter_column_all then
+        map_counter_column <= 0 when map_counter_column_is_equal or slice2_best_tag_start_of_frame else
           (map_counter_column + 1) mod 32;
       end if;
-      map_counter_group_choice := 3 when raster_features_start_of_frame_all else 0;
-      map_counter_group_is_equal := map_counter_group = 6;
-      map_counter_group_choice_2 := 1 when raster_features_start_of_frame and map_counter_group_is_equal else
+      map_counter_group_is_equal := map_counter_group = 5;
+      map_counter_group_all := map_counter_column_is_equal and map_counter_group_is_equal;
+      map_counter_group_choice := 3 when map_counter_group_all else 0;
+      map_counter_group_any := (not ((map_counter_group / 4) = 1)) or (not (((map_counter_group / 2) mod 2) = 1)) or
+        (not ((map_counter_group mod 2) = 1));
+      map_counter_group_is_equal_2 := map_counter_group = 6;
+      map_counter_group_choice_2 := 1 when map_counter_next_frame and map_counter_group_is_equal_2 else
         (map_counter_group + 1) mod 8;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when (map_counter_group /= 7) and
-        raster_features_start_of_frame_is_equal and slice2_best_tag_valid and slice2_best_tag_map_column else
-        map_counter_group;
+      map_counter_group_choice_3 := map_counter_group_choice_2 when map_counter_column_is_equal and
+        map_counter_group_any and slice2_best_tag_valid and slice2_best_tag_map_column else map_counter_group;
+      map_counter_next_frame_choice := (map_counter_group /= 6) and map_counter_next_frame when
+        map_counter_column_is_equal and map_counter_group_any else map_counter_next_frame;
+      map_counter_next_frame_choice_2 := map_counter_group_all or (not slice2_best_tag_start_of_frame) when
+        map_counter_next_frame_choice else map_counter_column_is_equal and map_counter_group_is_equal and
+        slice2_best_tag_start_of_frame;
       map_line_ended_choice := slice2_best_tag_map_column when slice2_best_tag_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_passed_1_0_any := map_at_arrives or map_at_behind;
-      map_complete_is_equal := map_write_column = 0;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_largest_low_1_choice := map_low_0_1 when map_low_1_1 < map_low_0_1 else map_low_1_1;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_median_middle_1_is_less := map_middle_1_1 < map_middle_0_1;
-      map_median_middle_1_choice := map_middle_0_1 when map_median_middle_1_is_less else map_middle_1_1;
-      map_median_middle_1_choice_2 := map_middle_2_1 when map_middle_2_1 < map_median_middle_1_choice else
-        map_median_middle_1_choice;
-      map_median_middle_1_choice_3 := map_middle_1_1 when map_median_middle_1_is_less else map_middle_0_1;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_smallest_high_1_choice := map_high_1_1 when map_high_1_1 < map_high_0_1 else map_high_0_1;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      map_out_disparity_0_choice := map_largest_low_0 when map_out_disparity_0_is_less else map_median_middle_0;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
-      map_out_disparity_1_is_less := map_median_middle_1 < map_largest_low_1;
-      map_out_disparity_1_choice := map_largest_low_1 when map_out_disparity_1_is_less else map_median_middle_1;
-      map_out_disparity_1_choice_2 := map_smallest_high_1 when map_smallest_high_1 < map_out_disparity_1_choice else
-        map_out_disparity_1_choice;
-      map_out_disparity_1_choice_3 := map_median_middle_1 when map_out_disparity_1_is_less else map_largest_low_1;
+      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      map_of_column_0_b_below_a_value := ((map_column_1 / 2) mod 2) = 1;
+      map_of_column_0_b_below_a_value_2 := ((other_1 / 2) mod 2) = 1;
+      map_of_column_0_b_below_a_value_3 := ((map_column_1 / 4) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_1 / 4) mod 2) = 1;
+      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value_3 and (not map_of_column_0_b_below_a_value_4)
+        and (not map_at_top) when (not map_of_column_0_b_below_a_value) and map_of_column_0_b_below_a_value_2 and (not
+        map_at_top) else map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      map_of_column_0_b_below_a_value_5 := ((map_column_1 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_1 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_5 or (not
+        map_of_column_0_b_below_a_value_6) or map_at_top when map_of_column_0_b_below_a_choice else
+        map_of_column_0_b_below_a_value_5 and (not map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      map_of_column_0_c_below_a_value := ((map_column_2 / 2) mod 2) = 1;
+      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else
+        map_of_column_0_b_below_a_value_2;
+      map_of_column_0_c_below_a_choice_2 := map_of_column_0_b_below_a_value_3 when map_at_top else
+        map_of_column_0_b_below_a_value_4;
+      map_of_column_0_c_below_a_value_2 := ((map_column_2 / 4) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_3 := (not map_of_column_0_c_below_a_choice_2) and
+        map_of_column_0_c_below_a_value_2 when (not map_of_column_0_c_below_a_value) and
+        map_of_column_0_c_below_a_choice else (not map_of_column_0_c_below_a_choice_2) or
+        map_of_column_0_c_below_a_value_2;
+      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_5 when map_at_top else
+        map_of_column_0_b_below_a_value_6;
+      map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_5 := (not map_of_column_0_c_below_a_choice_4) or
+        map_of_column_0_c_below_a_value_3 when map_of_column_0_c_below_a_choice_3 else (not
+        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_value_3;
+      map_of_column_0_c_below_a_choice_6 := (map_column_1 / 16) = 1 when map_at_top else (other_1 / 16) = 1;
+      map_of_column_0_c_below_b_choice := not map_of_column_0_b_below_a_value_3 when map_of_column_0_c_below_a_value
+        else ((map_column_1 / 2) mod 4) = 0;
+      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value_3)
+        or (not map_of_column_0_b_below_a_value) when map_of_column_0_c_below_a_value_2 else
+        map_of_column_0_c_below_b_choice;
+      map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_3) and
+        map_of_column_0_b_below_a_value_5 when map_of_column_0_c_below_b_choice_2 else (not
+        map_of_column_0_c_below_a_value_3) or map_of_column_0_b_below_a_value_5;
+      map_of_column_1_c_below_a_value := ((map_column_3 / 4) mod 2) = 1;
+      map_of_column_1_c_below_a_choice := map_of_column_0_c_below_a_value_2 when map_at_bottom else
+        map_of_column_1_c_below_a_value;
+      map_of_column_1_c_below_a_value_2 := ((map_column_3 / 2) mod 2) = 1;
+      map_of_column_1_c_below_a_choice_2 := (not map_of_column_0_c_below_a_value) and map_of_column_0_b_below_a_value
+        when map_at_bottom else map_of_column_0_b_below_a_value;
+      map_of_column_1_c_below_a_choice_3 := map_at_bottom and (not map_of_column_0_c_below_a_value) and
+        map_of_column_0_b_below_a_value when map_of_column_1_c_below_a_value_2 else map_of_column_1_c_below_a_choice_2;
+      map_of_column_1_c_below_a_choice_4 := map_of_column_1_c_below_a_choice_3 and map_of_column_0_b_below_a_value_3
+        when map_of_column_1_c_below_a_choice else map_of_column_1_c_below_a_choice_3 or
+        map_of_column_0_b_below_a_value_3;
+      map_of_column_1_c_below_a_choice_5 := map_of_column_0_c_below_a_value_3 when map_at_bottom else (map_column_3 /
+        8) = 1;
+      map_of_column_1_c_below_a_choice_6 := (not map_of_column_1_c_below_a_choice_5) or
+        map_of_column_0_b_below_a_value_5 when map_of_column_1_c_below_a_choice_4 else (not
+        map_of_column_1_c_below_a_choice_5) and map_of_column_0_b_below_a_value_5;
+      map_of_column_1_c_below_b_choice := map_of_column_1_c_below_a_value and (not map_at_bottom) and (not
+        map_of_column_0_c_below_a_value_2) when (not map_of_column_1_c_below_a_value_2) and (not map_at_bottom) and
+        map_of_column_0_c_below_a_value else map_of_column_1_c_below_a_value or map_at_bottom or (not
+        map_of_column_0_c_below_a_value_2);
+      map_of_column_1_c_below_b_choice_2 := ((map_column_3 / 8) = 1) or map_at_bottom or (not
+        map_of_column_0_c_below_a_value_3) when map_of_column_1_c_below_b_choice else ((map_column_3 / 8) = 1) and (not
+        map_at_bottom) and (not map_of_column_0_c_below_a_value_3);
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      map_sorted_low_1_choice := map_of_column_1_c when map_of_column_1_c_below_b else map_of_column_0_c;
+      map_sorted_low_1_choice_2 := map_of_column_1_c when map_of_column_1_c_below_a else map_of_column_0_b;
+      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
+      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
+      map_sorted_middle_1_choice := map_of_column_0_c when map_of_column_1_c_below_b else map_sorted_low_1_choice_2;
+      map_sorted_middle_1_choice_2 := map_of_column_0_b when map_of_column_1_c_below_a else map_sorted_low_1_choice;
+      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
+      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      map_sorted_high_1_choice := map_of_column_0_b when map_of_column_1_c_below_a else map_of_column_1_c;
+      map_sorted_high_1_choice_2 := map_of_column_0_c when map_of_column_1_c_below_b else map_of_column_1_c;
+      map_passed_1_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      map_passed_1_0_any := map_sorted_arrives or map_sorted_behind;
+      map_window_complete_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
+      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
+        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
+      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
+        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
+      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
+        mod 4) = 0;
+      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
+      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
+        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
+        map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
+      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      map_of_low_1_b_below_a_value := ((map_low_0_1 / 2) mod 2) = 1;
+      map_of_low_1_b_below_a_choice := (not (((map_low_1_1 / 2) mod 2) = 1)) or (not ((map_low_1_1 mod 2) = 1)) when
+        (map_low_0_1 mod 2) = 1 else not (((map_low_1_1 / 2) mod 2) = 1);
+      map_of_low_1_b_below_a_is_equal := (map_low_1_1 mod 4) = 0;
+      map_of_low_1_b_below_a_choice_2 := map_of_low_1_b_below_a_choice when map_of_low_1_b_below_a_value else
+        ((map_low_0_1 mod 2) = 1) and map_of_low_1_b_below_a_is_equal;
+      map_of_low_1_b_below_a_value_2 := ((map_low_0_1 / 4) mod 2) = 1;
+      map_of_low_1_b_below_a_value_3 := ((map_low_1_1 / 4) mod 2) = 1;
+      map_of_low_1_b_below_a_choice_3 := (not map_of_low_1_b_below_a_value_2) and map_of_low_1_b_below_a_value_3 when
+        map_of_low_1_b_below_a_choice_2 else (not map_of_low_1_b_below_a_value_2) or map_of_low_1_b_below_a_value_3;
+      map_of_low_1_c_below_a_value := ((map_low_2_1 / 2) mod 2) = 1;
+      map_of_low_1_c_below_a_choice := not map_of_low_1_b_below_a_value when (map_low_2_1 mod 2) = 1 else (map_low_0_1
+        mod 4) = 0;
+      map_of_low_1_c_below_a_choice_2 := ((map_low_2_1 mod 2) = 1) or (not map_of_low_1_b_below_a_value) or (not
+        ((map_low_0_1 mod 2) = 1)) when map_of_low_1_c_below_a_value else map_of_low_1_c_below_a_choice;
+      map_of_low_1_c_below_a_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_2 when
+        map_of_low_1_c_below_a_choice_2 else (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_2;
+      map_of_low_1_c_below_b_choice := not (((map_low_1_1 / 2) mod 2) = 1) when (map_low_2_1 mod 2) = 1 else
+        map_of_low_1_b_below_a_is_equal;
+      map_of_low_1_c_below_b_choice_2 := ((map_low_2_1 mod 2) = 1) or (not (((map_low_1_1 / 2) mod 2) = 1)) or (not
+        ((map_low_1_1 mod 2) = 1)) when map_of_low_1_c_below_a_value else map_of_low_1_c_below_b_choice;
+      map_of_low_1_c_below_b_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_3 when
+        map_of_low_1_c_below_b_choice_2 else (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_3;
+      map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
+      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
+        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
+        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
+        (map_middle_0_0 mod 4) = 0;
+      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
+      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_2;
+      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
+        map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
+        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
+      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_3;
+      map_of_middle_1_b_below_a_value := ((map_middle_0_1 / 2) mod 2) = 1;
+      map_of_middle_1_b_below_a_choice := (not (((map_middle_1_1 / 2) mod 2) = 1)) or (not ((map_middle_1_1 mod 2) =
+        1)) when (map_middle_0_1 mod 2) = 1 else not (((map_middle_1_1 / 2) mod 2) = 1);
+      map_of_middle_1_b_below_a_is_equal := (map_middle_1_1 mod 4) = 0;
+      map_of_middle_1_b_below_a_choice_2 := map_of_middle_1_b_below_a_choice when map_of_middle_1_b_below_a_value else
+        ((map_middle_0_1 mod 2) = 1) and map_of_middle_1_b_below_a_is_equal;
+      map_of_middle_1_b_below_a_value_2 := ((map_middle_0_1 / 4) mod 2) = 1;
+      map_of_middle_1_b_below_a_value_3 := ((map_middle_1_1 / 4) mod 2) = 1;
+      map_of_middle_1_b_below_a_choice_3 := (not map_of_middle_1_b_below_a_value_2) and
+        map_of_middle_1_b_below_a_value_3 when map_of_middle_1_b_below_a_choice_2 else (not
+        map_of_middle_1_b_below_a_value_2) or map_of_middle_1_b_below_a_value_3;
+      map_of_middle_1_c_below_a_value := ((map_middle_2_1 / 2) mod 2) = 1;
+      map_of_middle_1_c_below_a_choice := not map_of_middle_1_b_below_a_value when (map_middle_2_1 mod 2) = 1 else
+        (map_middle_0_1 mod 4) = 0;
+      map_of_middle_1_c_below_a_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not map_of_middle_1_b_below_a_value) or
+        (not ((map_middle_0_1 mod 2) = 1)) when map_of_middle_1_c_below_a_value else map_of_middle_1_c_below_a_choice;
+      map_of_middle_1_c_below_a_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
+        map_of_middle_1_b_below_a_value_2 when map_of_middle_1_c_below_a_choice_2 else (not (((map_middle_2_1 / 4) mod
+        2) = 1)) or map_of_middle_1_b_below_a_value_2;
+      map_of_middle_1_c_below_b_choice := not (((map_middle_1_1 / 2) mod 2) = 1) when (map_middle_2_1 mod 2) = 1 else
+        map_of_middle_1_b_below_a_is_equal;
+      map_of_middle_1_c_below_b_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not (((map_middle_1_1 / 2) mod 2) = 1)) or
+        (not ((map_middle_1_1 mod 2) = 1)) when map_of_middle_1_c_below_a_value else map_of_middle_1_c_below_b_choice;
+      map_of_middle_1_c_below_b_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
+        map_of_middle_1_b_below_a_value_3 when map_of_middle_1_c_below_b_choice_2 else (not (((map_middle_2_1 / 4) mod
+        2) = 1)) or map_of_middle_1_b_below_a_value_3;
+      map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
+      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
+        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
+      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
+        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
+      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
+        (map_high_0_0 mod 4) = 0;
+      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
+      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
+        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_2;
+      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
+        map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
+        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
+      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_1_b_below_a_value := ((map_high_0_1 / 2) mod 2) = 1;
+      map_of_high_1_b_below_a_choice := (not (((map_high_1_1 / 2) mod 2) = 1)) or (not ((map_high_1_1 mod 2) = 1)) when
+        (map_high_0_1 mod 2) = 1 else not (((map_high_1_1 / 2) mod 2) = 1);
+      map_of_high_1_b_below_a_is_equal := (map_high_1_1 mod 4) = 0;
+      map_of_high_1_b_below_a_choice_2 := map_of_high_1_b_below_a_choice when map_of_high_1_b_below_a_value else
+        ((map_high_0_1 mod 2) = 1) and map_of_high_1_b_below_a_is_equal;
+      map_of_high_1_b_below_a_value_2 := ((map_high_0_1 / 4) mod 2) = 1;
+      map_of_high_1_b_below_a_value_3 := ((map_high_1_1 / 4) mod 2) = 1;
+      map_of_high_1_b_below_a_choice_3 := (not map_of_high_1_b_below_a_value_2) and map_of_high_1_b_below_a_value_3
+        when map_of_high_1_b_below_a_choice_2 else (not map_of_high_1_b_below_a_value_2) or
+        map_of_high_1_b_below_a_value_3;
+      map_of_high_1_c_below_a_value := ((map_high_2_1 / 2) mod 2) = 1;
+      map_of_high_1_c_below_a_choice := not map_of_high_1_b_below_a_value when (map_high_2_1 mod 2) = 1 else
+        (map_high_0_1 mod 4) = 0;
+      map_of_high_1_c_below_a_choice_2 := ((map_high_2_1 mod 2) = 1) or (not map_of_high_1_b_below_a_value) or (not
+        ((map_high_0_1 mod 2) = 1)) when map_of_high_1_c_below_a_value else map_of_high_1_c_below_a_choice;
+      map_of_high_1_c_below_a_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_2
+        when map_of_high_1_c_below_a_choice_2 else (not (((map_high_2_1 / 4) mod 2) = 1)) or
+        map_of_high_1_b_below_a_value_2;
+      map_of_high_1_c_below_b_choice := not (((map_high_1_1 / 2) mod 2) = 1) when (map_high_2_1 mod 2) = 1 else
+        map_of_high_1_b_below_a_is_equal;
+      map_of_high_1_c_below_b_choice_2 := ((map_high_2_1 mod 2) = 1) or (not (((map_high_1_1 / 2) mod 2) = 1)) or (not
+        ((map_high_1_1 mod 2) = 1)) when map_of_high_1_c_below_a_value else map_of_high_1_c_below_b_choice;
+      map_of_high_1_c_below_b_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_3
+        when map_of_high_1_c_below_b_choice_2 else (not (((map_high_2_1 / 4) mod 2) = 1)) or
+        map_of_high_1_b_below_a_value_3;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_largest_low_1_choice := map_of_low_1_a when map_of_low_1_c_below_a else map_of_low_1_c;
+      map_largest_low_1_choice_2 := map_of_low_1_b when map_of_low_1_c_below_b else map_of_low_1_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_median_middle_1_choice := map_of_middle_1_c when map_of_middle_1_c_below_a else map_of_middle_1_a;
+      map_median_middle_1_choice_2 := map_of_middle_1_b when map_of_middle_1_c_below_b else map_median_middle_1_choice;
+      map_median_middle_1_choice_3 := map_of_middle_1_c when map_of_middle_1_c_below_b else map_of_middle_1_b;
+      map_median_middle_1_choice_4 := map_of_middle_1_a when map_of_middle_1_c_below_a else
+        map_median_middle_1_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_smallest_high_1_choice := map_of_high_1_c when map_of_high_1_c_below_b else map_of_high_1_b;
+      map_smallest_high_1_choice_2 := map_of_high_1_c when map_of_high_1_c_below_a else map_of_high_1_a;
+      map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
+      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
+        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
+      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
+        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
+        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
+      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
+        (map_largest_low_0 mod 4) = 0;
+      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
+      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_2;
+      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
+        else map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
+        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
+        map_of_all_0_c_below_b_choice;
+      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_3;
+      map_of_all_1_b_below_a_value := ((map_largest_low_1 / 2) mod 2) = 1;
+      map_of_all_1_b_below_a_choice := (not (((map_median_middle_1 / 2) mod 2) = 1)) or (not ((map_median_middle_1 mod
+        2) = 1)) when (map_largest_low_1 mod 2) = 1 else not (((map_median_middle_1 / 2) mod 2) = 1);
+      map_of_all_1_b_below_a_is_equal := (map_median_middle_1 mod 4) = 0;
+      map_of_all_1_b_below_a_choice_2 := map_of_all_1_b_below_a_choice when map_of_all_1_b_below_a_value else
+        ((map_largest_low_1 mod 2) = 1) and map_of_all_1_b_below_a_is_equal;
+      map_of_all_1_b_below_a_value_2 := ((map_largest_low_1 / 4) mod 2) = 1;
+      map_of_all_1_b_below_a_value_3 := ((map_median_middle_1 / 4) mod 2) = 1;
+      map_of_all_1_b_below_a_choice_3 := (not map_of_all_1_b_below_a_value_2) and map_of_all_1_b_below_a_value_3 when
+        map_of_all_1_b_below_a_choice_2 else (not map_of_all_1_b_below_a_value_2) or map_of_all_1_b_below_a_value_3;
+      map_of_all_1_c_below_a_value := ((map_smallest_high_1 / 2) mod 2) = 1;
+      map_of_all_1_c_below_a_choice := not map_of_all_1_b_below_a_value when (map_smallest_high_1 mod 2) = 1 else
+        (map_largest_low_1 mod 4) = 0;
+      map_of_all_1_c_below_a_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not map_of_all_1_b_below_a_value) or
+        (not ((map_largest_low_1 mod 2) = 1)) when map_of_all_1_c_below_a_value else map_of_all_1_c_below_a_choice;
+      map_of_all_1_c_below_a_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
+        map_of_all_1_b_below_a_value_2 when map_of_all_1_c_below_a_choice_2 else (not (((map_smallest_high_1 / 4) mod
+        2) = 1)) or map_of_all_1_b_below_a_value_2;
+      map_of_all_1_c_below_b_choice := not (((map_median_middle_1 / 2) mod 2) = 1) when (map_smallest_high_1 mod 2) = 1
+        else map_of_all_1_b_below_a_is_equal;
+      map_of_all_1_c_below_b_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not (((map_median_middle_1 / 2) mod 2) =
+        1)) or (not ((map_median_middle_1 mod 2) = 1)) when map_of_all_1_c_below_a_value else
+        map_of_all_1_c_below_b_choice;
+      map_of_all_1_c_below_b_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
+        map_of_all_1_b_below_a_value_3 when map_of_all_1_c_below_b_choice_2 else (not (((map_smallest_high_1 / 4) mod
+        2) = 1)) or map_of_all_1_b_below_a_value_3;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_out_disparity_1_choice := map_of_all_1_c when map_of_all_1_c_below_a else map_of_all_1_a;
+      map_out_disparity_1_choice_2 := map_of_all_1_b when map_of_all_1_c_below_b else map_out_disparity_1_choice;
+      map_out_disparity_1_choice_3 := map_of_all_1_c when map_of_all_1_c_below_b else map_of_all_1_b;
+      map_out_disparity_1_choice_4 := map_of_all_1_a when map_of_all_1_c_below_a else map_out_disparity_1_choice_3;
       map_counter_group <= map_counter_group_choice * 2 when slice2_best_tag_start_of_frame and slice2_best_tag_valid
         and slice2_best_tag_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= map_counter_next_frame or map_counter_column_all when map_counter_next_frame_choice_2
+        else map_counter_next_frame and ((not slice2_best_tag_valid) or (not slice2_best_tag_map_column));
       map_newest_0 <= (slice2_best_index_0_0 * 2) + 1;
-      map_arrives <= raster_features_start_of_frame_all_2;
+      map_arrives <= map_counter_column_all;
       map_behind <= map_line_ended and slice2_best_tag_valid;
       map_line_ended <= map_line_ended_choice when slice2_best_tag_end_of_line else map_line_ended and (not
         slice2_best_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_bottom <= map_counter_group_is_equal;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 6;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_bottom <= map_read_bottom;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
+      map_write_column <= to_integer(other_0(4 downto 0));
       map_column_1 <= (map_rows_ready_words_0 / 512) mod 32;
       map_column_2 <= map_rows_ready_words_0 / 262144;
       map_column_3 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_bottom <= map_ready_bottom;
-      map_at_output <= map_ready_output;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
+      map_at_bottom <= to_integer(other_0(40 downto 40)) = 1;
+      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_1 / 2;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_column_2 / 2;
+      map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_1 / 16) = 1) and (not map_at_top) when
+        map_of_column_0_b_below_a_choice_2 else (not ((map_column_1 / 16) = 1)) or ((other_1 / 16) = 1) or map_at_top;
+      map_of_column_0_c_below_a <= map_of_column_0_c_below_a_choice_6 and (not ((map_column_2 / 16) = 1)) when
+        map_of_column_0_c_below_a_choice_5 else map_of_column_0_c_below_a_choice_6 or (not ((map_column_2 / 16) = 1));
+      map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) or ((map_column_1 / 16) = 1) when
+        map_of_column_0_c_below_b_choice_3 else (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1);
+      map_of_column_1_c <= map_column_2 / 2 when map_at_bottom else map_column_3 / 2;
+      map_of_column_1_c_below_a <= (not (map_at_bottom and ((map_column_2 / 16) = 1))) or ((map_column_1 / 16) = 1)
+        when map_of_column_1_c_below_a_choice_6 else (not (map_at_bottom and ((map_column_2 / 16) = 1))) and
+        ((map_column_1 / 16) = 1);
+      map_of_column_1_c_below_b <= (not map_of_column_1_c_below_b_choice_2) or ((not map_at_bottom) and ((map_column_2
+        / 16) = 1));
+      map_column_passed_0_0 <= (map_column_2 mod 2) = 1;
+      map_column_passed_0_1 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_column_passed_1_1 <= map_column_passed_0_1;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_low_1 <= map_sorted_low_1_choice when map_of_column_0_c_below_b else map_sorted_low_1_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_middle_1 <= map_sorted_middle_1_choice when map_of_column_0_c_below_b else
+        map_sorted_middle_1_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_sorted_high_1 <= map_sorted_high_1_choice when map_of_column_0_c_below_b else map_sorted_high_1_choice_2;
       map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
         map_passed_1_0_any;
       map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all when map_passed_1_1 else map_passed_0_1 and
         map_passed_1_0_any;
-      map_complete <= map_at_output and map_at_behind when map_complete_is_equal else map_at_output and
-        map_passed_1_0_any;
-      map_first <= map_at_arrives and map_at_top and (map_write_column = 1);
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_largest_low_1 <= map_largest_low_1_choice when map_low_2_1 < map_largest_low_1_choice else map_low_2_1;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_median_middle_1 <= map_median_middle_1_choice_3 when map_median_middle_1_choice_2 <
-        map_median_middle_1_choice_3 else map_median_middle_1_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_smallest_high_1 <= map_high_2_1 when map_high_2_1 < map_smallest_high_1_choice else
-        map_smallest_high_1_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_passed_1 <= map_passed_1_1;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_disparity_1 <= map_out_disparity_1_choice_3 when map_out_disparity_1_choice_2 <
-        map_out_disparity_1_choice_3 else map_out_disparity_1_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_passed_1 <= map_waiting_passed_1;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
+      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_all else
+        map_sorted_output and map_passed_1_0_any;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1)) when
+        map_of_low_0_b_below_a_choice_3 else ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
+      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1) when
+        map_of_low_0_c_below_a_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
+      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1) when
+        map_of_low_0_c_below_b_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
+      map_of_low_1_a <= map_low_0_1;
+      map_of_low_1_b <= map_low_1_1;
+      map_of_low_1_c <= map_low_2_1;
+      map_of_low_1_b_below_a <= ((map_low_0_1 / 8) = 1) and (not ((map_low_1_1 / 8) = 1)) when
+        map_of_low_1_b_below_a_choice_3 else ((map_low_0_1 / 8) = 1) or (not ((map_low_1_1 / 8) = 1));
+      map_of_low_1_c_below_a <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_0_1 / 8) = 1) when
+        map_of_low_1_c_below_a_choice_3 else (not ((map_low_2_1 / 8) = 1)) and ((map_low_0_1 / 8) = 1);
+      map_of_low_1_c_below_b <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_1_1 / 8) = 1) when
+        map_of_low_1_c_below_b_choice_3 else (not ((map_low_2_1 / 8) = 1)) and ((map_low_1_1 / 8) = 1);
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1)) when
+        map_of_middle_0_b_below_a_choice_3 else ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
+      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1) when
+        map_of_middle_0_c_below_a_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
+      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1) when
+        map_of_middle_0_c_below_b_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
+      map_of_middle_1_a <= map_middle_0_1;
+      map_of_middle_1_b <= map_middle_1_1;
+      map_of_middle_1_c <= map_middle_2_1;
+      map_of_middle_1_b_below_a <= ((map_middle_0_1 / 8) = 1) and (not ((map_middle_1_1 / 8) = 1)) when
+        map_of_middle_1_b_below_a_choice_3 else ((map_middle_0_1 / 8) = 1) or (not ((map_middle_1_1 / 8) = 1));
+      map_of_middle_1_c_below_a <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_0_1 / 8) = 1) when
+        map_of_middle_1_c_below_a_choice_3 else (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_0_1 / 8) = 1);
+      map_of_middle_1_c_below_b <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_1_1 / 8) = 1) when
+        map_of_middle_1_c_below_b_choice_3 else (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_1_1 / 8) = 1);
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1)) when
+        map_of_high_0_b_below_a_choice_3 else ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
+      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1) when
+        map_of_high_0_c_below_a_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
+      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1) when
+        map_of_high_0_c_below_b_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
+      map_of_high_1_a <= map_high_0_1;
+      map_of_high_1_b <= map_high_1_1;
+      map_of_high_1_c <= map_high_2_1;
+      map_of_high_1_b_below_a <= ((map_high_0_1 / 8) = 1) and (not ((map_high_1_1 / 8) = 1)) when
+        map_of_high_1_b_below_a_choice_3 else ((map_high_0_1 / 8) = 1) or (not ((map_high_1_1 / 8) = 1));
+      map_of_high_1_c_below_a <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_0_1 / 8) = 1) when
+        map_of_high_1_c_below_a_choice_3 else (not ((map_high_2_1 / 8) = 1)) and ((map_high_0_1 / 8) = 1);
+      map_of_high_1_c_below_b <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_1_1 / 8) = 1) when
+        map_of_high_1_c_below_b_choice_3 else (not ((map_high_2_1 / 8) = 1)) and ((map_high_1_1 / 8) = 1);
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_largest_low_1 <= map_largest_low_1_choice when map_of_low_1_b_below_a else map_largest_low_1_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_median_middle_1 <= map_median_middle_1_choice_2 when map_of_middle_1_b_below_a else
+        map_median_middle_1_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_smallest_high_1 <= map_smallest_high_1_choice when map_of_high_1_b_below_a else map_smallest_high_1_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1)) when
+        map_of_all_0_b_below_a_choice_3 else ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
+      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1) when
+        map_of_all_0_c_below_a_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
+      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1) when
+        map_of_all_0_c_below_b_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
+      map_of_all_1_a <= map_largest_low_1;
+      map_of_all_1_b <= map_median_middle_1;
+      map_of_all_1_c <= map_smallest_high_1;
+      map_of_all_1_b_below_a <= ((map_largest_low_1 / 8) = 1) and (not ((map_median_middle_1 / 8) = 1)) when
+        map_of_all_1_b_below_a_choice_3 else ((map_largest_low_1 / 8) = 1) or (not ((map_median_middle_1 / 8) = 1));
+      map_of_all_1_c_below_a <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_largest_low_1 / 8) = 1) when
+        map_of_all_1_c_below_a_choice_3 else (not ((map_smallest_high_1 / 8) = 1)) and ((map_largest_low_1 / 8) = 1);
+      map_of_all_1_c_below_b <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_median_middle_1 / 8) = 1) when
+        map_of_all_1_c_below_b_choice_3 else (not ((map_smallest_high_1 / 8) = 1)) and ((map_median_middle_1 / 8) = 1);
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_0_1 <= map_passed_1_1;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_1_1 <= map_waiting_passed_0_1;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_waiting_passed_2_1 <= map_waiting_passed_1_1;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_disparity_1 <= map_out_disparity_1_choice_2 when map_of_all_1_b_below_a else map_out_disparity_1_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_passed_1 <= map_waiting_passed_2_1;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
         map_rows_write_words_0 <= to_integer(((to_unsigned(map_rows_ready_newest_0, 13) &
-          to_unsigned((map_rows_ready_words_0 / 262144), 9)) or (to_unsigned(other_0, 22))));
-        map_at_column <= map_ready_column;
+          to_unsigned((map_rows_ready_words_0 / 262144), 9)) or (to_unsigned(other_3, 22))));
+        map_at_column <= to_integer(other_0(4 downto 0));
       end if;
-      if map_at_top then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := other_3 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := map_low_0_0_choice;
-      end if;
-      if (map_column_2 / 2) < map_low_0_0_choice_2 then
-        map_low_0_0_choice_3 := map_column_2 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      map_low_0_0_choice_4 := map_low_0_0 when map_at_behind else map_low_0_0_choice_3;
-      if map_at_bottom then
-        map_low_0_1_choice := map_column_2 / 2;
-      else
-        map_low_0_1_choice := map_column_3 / 2;
-      end if;
-      map_low_0_1_is_less := (map_column_2 / 2) < (map_column_1 / 2);
-      if map_low_0_1_is_less then
-        map_low_0_1_choice_2 := map_column_2 / 2;
-      else
-        map_low_0_1_choice_2 := map_column_1 / 2;
-      end if;
-      map_low_0_1_choice_3 := map_low_0_1_choice when map_low_0_1_choice < map_low_0_1_choice_2 else
-        map_low_0_1_choice_2;
-      map_low_0_1_choice_4 := map_low_0_1 when map_at_behind else map_low_0_1_choice_3;
-      map_low_1_0_all := map_at_arrives and map_complete_is_equal;
-      map_middle_0_0_choice := map_low_0_0_choice when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := (map_column_2 / 2) < map_middle_0_0_choice;
-      if map_middle_0_0_is_less then
-        map_middle_0_0_choice_2 := map_column_2 / 2;
-      else
-        map_middle_0_0_choice_2 := map_middle_0_0_choice;
-      end if;
-      map_middle_0_0_choice_3 := map_low_0_0_choice_2 when map_middle_0_0_choice_2 < map_low_0_0_choice_2 else
-        map_middle_0_0_choice_2;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      if map_low_0_1_is_less then
-        map_middle_0_1_choice := map_column_1 / 2;
-      else
-        map_middle_0_1_choice := map_column_2 / 2;
-      end if;
-      map_middle_0_1_is_less := map_low_0_1_choice < map_middle_0_1_choice;
-      map_middle_0_1_choice_2 := map_low_0_1_choice when map_middle_0_1_is_less else map_middle_0_1_choice;
-      map_middle_0_1_choice_3 := map_low_0_1_choice_2 when map_middle_0_1_choice_2 < map_low_0_1_choice_2 else
-        map_middle_0_1_choice_2;
-      map_middle_0_1_choice_4 := map_middle_0_1 when map_at_behind else map_middle_0_1_choice_3;
-      map_high_0_0_choice := map_middle_0_0_choice when map_middle_0_0_is_less else map_column_2 / 2;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      map_high_0_1_choice := map_middle_0_1_choice when map_middle_0_1_is_less else map_low_0_1_choice;
-      map_high_0_1_choice_2 := map_high_0_1 when map_at_behind else map_high_0_1_choice;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_0_1_choice := map_low_0_1 when map_sorted_behind else map_sorted_low_1;
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_middle_0_1_choice := map_middle_0_1 when map_sorted_behind else map_sorted_middle_1;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      map_high_0_1_choice := map_high_0_1 when map_sorted_behind else map_sorted_high_1;
       if map_passed_1_0_any then
-        map_low_0_0 <= map_low_0_0_choice_4;
-        map_low_0_1 <= map_low_0_1_choice_4;
-        map_low_1_0 <= map_low_0_0_choice_4 when map_low_1_0_all else map_low_0_0;
-        map_low_1_1 <= map_low_0_1_choice_4 when map_low_1_0_all else map_low_0_1;
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_0_1 <= map_low_0_1_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_window_complete_all else map_low_0_0;
+        map_low_1_1 <= map_low_0_1_choice when map_window_complete_all else map_low_0_1;
         map_low_2_0 <= map_low_1_0;
         map_low_2_1 <= map_low_1_1;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_0_1 <= map_middle_0_1_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
-        map_middle_1_1 <= map_middle_0_1_choice_4 when map_low_1_0_all else map_middle_0_1;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_0_1 <= map_middle_0_1_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_window_complete_all else map_middle_0_0;
+        map_middle_1_1 <= map_middle_0_1_choice when map_window_complete_all else map_middle_0_1;
         map_middle_2_0 <= map_middle_1_0;
         map_middle_2_1 <= map_middle_1_1;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_0_1 <= map_high_0_1_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
-        map_high_1_1 <= map_high_0_1_choice_2 when map_low_1_0_all else map_high_0_1;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_0_1 <= map_high_0_1_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_window_complete_all else map_high_0_0;
+        map_high_1_1 <= map_high_0_1_choice when map_window_complete_all else map_high_0_1;
         map_high_2_0 <= map_high_1_0;
         map_high_2_1 <= map_high_1_1;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_2 mod 2) = 1;
-        map_passed_0_1 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
+        map_passed_0_1 <= map_column_passed_1_1;
       end if;
       -- other
-      other_0 <= other_1;
-      other_1 <= other_2;
-      other_2 <= (slice2_best_index_1_0 * 524288) + 262144;
-      other_3 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_0 <= other_2;
+      other_1 <= (((map_rows_ready_words_0 mod 512) / 2) mod 16) * 2;
+      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 7))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal_2), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_3 <= other_4;
+      other_4 <= other_5;
+      other_5 <= (slice2_best_index_1_0 * 524288) + 262144;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
@@ -1097,14 +1507,18 @@ begin
         slice0window_tag_map_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_map_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_map_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_map_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1119,34 +1533,43 @@ begin
         slice2_best_tag_end_of_line <= false;
         map_counter_column <= 0;
         map_counter_group <= 7;
+        map_counter_next_frame <= false;
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
+        other_0 <= to_unsigned(0, 49);
+        other_2 <= to_unsigned(0, 49);
       end if;
     end if;
   end process;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 22,
+      latency_clocks => 27,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"885689d2",
+      core_id => x"112c2011",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 22,
+      latency_clocks => 27,
       flush_groups => 65,
       gap_groups => 0)
     port map (

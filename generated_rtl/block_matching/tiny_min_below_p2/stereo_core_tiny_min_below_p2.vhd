@@ -17,7 +17,7 @@ entity stereo_core_tiny_min_below_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 20;
-    latency_clocks : positive := 15;
+    latency_clocks : positive := 16;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_min_below_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_min_below_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 20 report "stereo_core_tiny_min_below_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 20" severity failure;
-  assert latency_clocks = 15 report "stereo_core_tiny_min_below_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
+  assert latency_clocks = 16 report "stereo_core_tiny_min_below_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_min_below_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_min_below_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_min_below_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   -- raster
   signal raster_features_search : natural range 0 to 65535;
   signal raster_features_reference_0, raster_features_reference_1 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -137,18 +135,16 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
   -- slice0window
@@ -162,18 +158,22 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
   signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -190,12 +190,11 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -206,14 +205,16 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -226,10 +227,10 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
   signal slice2cost_column_1_1 : natural range 0 to 767;
   -- slice2window
@@ -245,6 +246,9 @@ architecture rtl of stereo_core_tiny_min_below_p2 is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 2301;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -289,49 +293,43 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
-    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
+        raster_place_group_is_equal and in_valid else raster_place_group;
       raster_features_search <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel mod 256;
       raster_features_reference_1 <= in_right_pixel / 256;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when raster_place_group_is_equal
-        else raster_features_start_of_frame;
+      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all when in_start_of_frame else
-          raster_features_start_of_frame_choice_2;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -351,8 +349,8 @@ begin
       delay_tag_border_column <= (raster_place_column / 8) = 0 when (raster_place_column mod 4) = 3 else (not
         ((raster_place_column / 16) = 1)) and ((not (((raster_place_column / 8) mod 2) = 1)) or (not
         (((raster_place_column / 4) mod 2) = 1)));
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and (((raster_place_column + 65525) mod
-        65536) < 20);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 11)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 11) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -433,12 +431,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -451,49 +443,43 @@ begin
       slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -528,47 +514,60 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 12)))) or (to_unsigned(slice0winner1_of_four_1_0, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -593,12 +592,6 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -611,39 +604,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -667,36 +654,45 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -717,10 +713,6 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       slice2shift_reference_3 <= slice1shift_reference_3;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -729,30 +721,26 @@ begin
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
+      slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -767,8 +755,8 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -780,20 +768,25 @@ begin
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -839,14 +832,18 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

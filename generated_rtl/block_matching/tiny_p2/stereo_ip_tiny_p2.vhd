@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 15,
+      latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"d7fd7e7c",
+      core_id => x"1bb60b29",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 15,
+      latency_clocks => 16,
       flush_groups => 32,
       gap_groups => 0)
     port map (

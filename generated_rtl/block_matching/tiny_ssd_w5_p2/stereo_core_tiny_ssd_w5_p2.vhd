@@ -17,7 +17,7 @@ entity stereo_core_tiny_ssd_w5_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 15;
+    latency_clocks : positive := 17;
     flush_groups : positive := 33;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_ssd_w5_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_ssd_w5_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_ssd_w5_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 15 report "stereo_core_tiny_ssd_w5_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
+  assert latency_clocks = 17 report "stereo_core_tiny_ssd_w5_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
   assert flush_groups = 33 report "stereo_core_tiny_ssd_w5_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 33" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_ssd_w5_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_ssd_w5_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   -- raster
   signal raster_features_search_0 : natural range 0 to 255;
   signal raster_features_reference : natural range 0 to 65535;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -148,7 +146,9 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 65025;
@@ -157,6 +157,10 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice0cost_pixels_cost_3_0, slice0cost_pixels_cost_3_1, slice0cost_pixels_cost_3_2 : natural range 0 to 65025;
   signal slice0cost_pixels_cost_4_0, slice0cost_pixels_cost_4_1, slice0cost_pixels_cost_4_2 : natural range 0 to 65025;
   signal slice0cost_pixels_cost_5_0, slice0cost_pixels_cost_5_1, slice0cost_pixels_cost_5_2 : natural range 0 to 65025;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 65025;
+  signal slice0cost_single_5_0, slice0cost_single_5_1, slice0cost_single_5_2 : natural range 0 to 65025;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_1_0 : natural range 0 to 130050;
+  signal slice0cost_pair_1_1, slice0cost_pair_1_2 : natural range 0 to 130050;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 325125;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 325125;
   -- slice0window
@@ -175,18 +179,22 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 1625625;
   signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 1625625;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 1625625;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 1625625;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 1625625;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 1625625;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 1625625;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 1625625;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 1625625;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 2097151;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 1625625;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2097151;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -217,6 +225,10 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice1cost_pixels_cost_3_0, slice1cost_pixels_cost_3_1, slice1cost_pixels_cost_3_2 : natural range 0 to 65025;
   signal slice1cost_pixels_cost_4_0, slice1cost_pixels_cost_4_1, slice1cost_pixels_cost_4_2 : natural range 0 to 65025;
   signal slice1cost_pixels_cost_5_0, slice1cost_pixels_cost_5_1, slice1cost_pixels_cost_5_2 : natural range 0 to 65025;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 65025;
+  signal slice1cost_single_5_0, slice1cost_single_5_1, slice1cost_single_5_2 : natural range 0 to 65025;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_1_0 : natural range 0 to 130050;
+  signal slice1cost_pair_1_1, slice1cost_pair_1_2 : natural range 0 to 130050;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 325125;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 325125;
   signal slice1cost_tag_border_column : boolean;
@@ -234,14 +246,16 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 1625625;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 1625625;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 1625625;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 1625625;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 1625625;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 1625625;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 1625625;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 1625625;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 1625625;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 2097151;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 1625625;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 2097151;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -263,6 +277,9 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 65025;
   signal slice2cost_pixels_cost_3_0, slice2cost_pixels_cost_3_1, slice2cost_pixels_cost_4_0 : natural range 0 to 65025;
   signal slice2cost_pixels_cost_4_1, slice2cost_pixels_cost_5_0, slice2cost_pixels_cost_5_1 : natural range 0 to 65025;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_5_0 : natural range 0 to 65025;
+  signal slice2cost_single_5_1 : natural range 0 to 65025;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0, slice2cost_pair_1_1 : natural range 0 to 130050;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 325125;
   signal slice2cost_column_1_1 : natural range 0 to 325125;
   -- slice2window
@@ -283,6 +300,9 @@ architecture rtl of stereo_core_tiny_ssd_w5_p2 is
   -- slice2winner2
   signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 1625625;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 1625625;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -330,40 +350,15 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_0_value, delay_row_inside_0_any, delay_row_inside_2_any : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_2_any, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
-    variable slice0cost_pixels_cost_0_0_value, slice0cost_pixels_cost_0_1_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_0_2_value, slice0cost_pixels_cost_1_0_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_1_1_value, slice0cost_pixels_cost_1_2_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_2_0_value, slice0cost_pixels_cost_2_1_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_2_2_value, slice0cost_pixels_cost_3_0_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_3_1_value, slice0cost_pixels_cost_3_2_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_4_0_value, slice0cost_pixels_cost_4_1_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_4_2_value, slice0cost_pixels_cost_5_0_value : natural range 0 to 255;
-    variable slice0cost_pixels_cost_5_1_value, slice0cost_pixels_cost_5_2_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_0_0_value, slice1cost_pixels_cost_0_1_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_0_2_value, slice1cost_pixels_cost_1_0_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_1_1_value, slice1cost_pixels_cost_1_2_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_2_0_value, slice1cost_pixels_cost_2_1_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_2_2_value, slice1cost_pixels_cost_3_0_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_3_1_value, slice1cost_pixels_cost_3_2_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_4_0_value, slice1cost_pixels_cost_4_1_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_4_2_value, slice1cost_pixels_cost_5_0_value : natural range 0 to 255;
-    variable slice1cost_pixels_cost_5_1_value, slice1cost_pixels_cost_5_2_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_0_0_value, slice2cost_pixels_cost_0_1_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_1_0_value, slice2cost_pixels_cost_1_1_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_2_0_value, slice2cost_pixels_cost_2_1_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_3_0_value, slice2cost_pixels_cost_3_1_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_4_0_value, slice2cost_pixels_cost_4_1_value : natural range 0 to 255;
-    variable slice2cost_pixels_cost_5_0_value, slice2cost_pixels_cost_5_1_value : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -371,7 +366,7 @@ begin
       raster_place_group_is_equal_2 := raster_place_group = 5;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := 1 when raster_features_start_of_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
       raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
         raster_place_group_is_equal and in_valid else raster_place_group;
@@ -380,16 +375,16 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
         raster_place_group_choice_3;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 3 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when raster_place_group_is_equal
-        else raster_features_start_of_frame;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -407,8 +402,8 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and (((raster_place_column + 65529) mod
-        65536) < 24);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 7)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -500,42 +495,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pixels_cost_0_0_value := (folded(slice0cost_pixels_first_0_0) + as_number((slice0cost_pixels_first_0_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_0_1_value := (folded(slice0cost_pixels_first_0_1) + as_number((slice0cost_pixels_first_0_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_0_2_value := (folded(slice0cost_pixels_first_0_2) + as_number((slice0cost_pixels_first_0_2
-        < 0))) mod 256;
-      slice0cost_pixels_cost_1_0_value := (folded(slice0cost_pixels_first_1_0) + as_number((slice0cost_pixels_first_1_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_1_1_value := (folded(slice0cost_pixels_first_1_1) + as_number((slice0cost_pixels_first_1_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_1_2_value := (folded(slice0cost_pixels_first_1_2) + as_number((slice0cost_pixels_first_1_2
-        < 0))) mod 256;
-      slice0cost_pixels_cost_2_0_value := (folded(slice0cost_pixels_first_2_0) + as_number((slice0cost_pixels_first_2_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_2_1_value := (folded(slice0cost_pixels_first_2_1) + as_number((slice0cost_pixels_first_2_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_2_2_value := (folded(slice0cost_pixels_first_2_2) + as_number((slice0cost_pixels_first_2_2
-        < 0))) mod 256;
-      slice0cost_pixels_cost_3_0_value := (folded(slice0cost_pixels_first_3_0) + as_number((slice0cost_pixels_first_3_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_3_1_value := (folded(slice0cost_pixels_first_3_1) + as_number((slice0cost_pixels_first_3_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_3_2_value := (folded(slice0cost_pixels_first_3_2) + as_number((slice0cost_pixels_first_3_2
-        < 0))) mod 256;
-      slice0cost_pixels_cost_4_0_value := (folded(slice0cost_pixels_first_4_0) + as_number((slice0cost_pixels_first_4_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_4_1_value := (folded(slice0cost_pixels_first_4_1) + as_number((slice0cost_pixels_first_4_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_4_2_value := (folded(slice0cost_pixels_first_4_2) + as_number((slice0cost_pixels_first_4_2
-        < 0))) mod 256;
-      slice0cost_pixels_cost_5_0_value := (folded(slice0cost_pixels_first_5_0) + as_number((slice0cost_pixels_first_5_0
-        < 0))) mod 256;
-      slice0cost_pixels_cost_5_1_value := (folded(slice0cost_pixels_first_5_1) + as_number((slice0cost_pixels_first_5_1
-        < 0))) mod 256;
-      slice0cost_pixels_cost_5_2_value := (folded(slice0cost_pixels_first_5_2) + as_number((slice0cost_pixels_first_5_2
-        < 0))) mod 256;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -559,52 +518,63 @@ begin
       slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_cost_0_0_value * slice0cost_pixels_cost_0_0_value;
-      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_cost_0_1_value * slice0cost_pixels_cost_0_1_value;
-      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_cost_0_2_value * slice0cost_pixels_cost_0_2_value;
-      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_cost_1_0_value * slice0cost_pixels_cost_1_0_value;
-      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_cost_1_1_value * slice0cost_pixels_cost_1_1_value;
-      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_cost_1_2_value * slice0cost_pixels_cost_1_2_value;
-      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_cost_2_0_value * slice0cost_pixels_cost_2_0_value;
-      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_cost_2_1_value * slice0cost_pixels_cost_2_1_value;
-      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_cost_2_2_value * slice0cost_pixels_cost_2_2_value;
-      slice0cost_pixels_cost_3_0 <= slice0cost_pixels_cost_3_0_value * slice0cost_pixels_cost_3_0_value;
-      slice0cost_pixels_cost_3_1 <= slice0cost_pixels_cost_3_1_value * slice0cost_pixels_cost_3_1_value;
-      slice0cost_pixels_cost_3_2 <= slice0cost_pixels_cost_3_2_value * slice0cost_pixels_cost_3_2_value;
-      slice0cost_pixels_cost_4_0 <= slice0cost_pixels_cost_4_0_value * slice0cost_pixels_cost_4_0_value;
-      slice0cost_pixels_cost_4_1 <= slice0cost_pixels_cost_4_1_value * slice0cost_pixels_cost_4_1_value;
-      slice0cost_pixels_cost_4_2 <= slice0cost_pixels_cost_4_2_value * slice0cost_pixels_cost_4_2_value;
-      slice0cost_pixels_cost_5_0 <= slice0cost_pixels_cost_5_0_value * slice0cost_pixels_cost_5_0_value;
-      slice0cost_pixels_cost_5_1 <= slice0cost_pixels_cost_5_1_value * slice0cost_pixels_cost_5_1_value;
-      slice0cost_pixels_cost_5_2 <= slice0cost_pixels_cost_5_2_value * slice0cost_pixels_cost_5_2_value;
+      slice0cost_pixels_cost_0_0 <= slice0cost_pixels_first_0_0 * slice0cost_pixels_first_0_0;
+      slice0cost_pixels_cost_0_1 <= slice0cost_pixels_first_0_1 * slice0cost_pixels_first_0_1;
+      slice0cost_pixels_cost_0_2 <= slice0cost_pixels_first_0_2 * slice0cost_pixels_first_0_2;
+      slice0cost_pixels_cost_1_0 <= slice0cost_pixels_first_1_0 * slice0cost_pixels_first_1_0;
+      slice0cost_pixels_cost_1_1 <= slice0cost_pixels_first_1_1 * slice0cost_pixels_first_1_1;
+      slice0cost_pixels_cost_1_2 <= slice0cost_pixels_first_1_2 * slice0cost_pixels_first_1_2;
+      slice0cost_pixels_cost_2_0 <= slice0cost_pixels_first_2_0 * slice0cost_pixels_first_2_0;
+      slice0cost_pixels_cost_2_1 <= slice0cost_pixels_first_2_1 * slice0cost_pixels_first_2_1;
+      slice0cost_pixels_cost_2_2 <= slice0cost_pixels_first_2_2 * slice0cost_pixels_first_2_2;
+      slice0cost_pixels_cost_3_0 <= slice0cost_pixels_first_3_0 * slice0cost_pixels_first_3_0;
+      slice0cost_pixels_cost_3_1 <= slice0cost_pixels_first_3_1 * slice0cost_pixels_first_3_1;
+      slice0cost_pixels_cost_3_2 <= slice0cost_pixels_first_3_2 * slice0cost_pixels_first_3_2;
+      slice0cost_pixels_cost_4_0 <= slice0cost_pixels_first_4_0 * slice0cost_pixels_first_4_0;
+      slice0cost_pixels_cost_4_1 <= slice0cost_pixels_first_4_1 * slice0cost_pixels_first_4_1;
+      slice0cost_pixels_cost_4_2 <= slice0cost_pixels_first_4_2 * slice0cost_pixels_first_4_2;
+      slice0cost_pixels_cost_5_0 <= slice0cost_pixels_first_5_0 * slice0cost_pixels_first_5_0;
+      slice0cost_pixels_cost_5_1 <= slice0cost_pixels_first_5_1 * slice0cost_pixels_first_5_1;
+      slice0cost_pixels_cost_5_2 <= slice0cost_pixels_first_5_2 * slice0cost_pixels_first_5_2;
       slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
       slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_0 +
-        slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0 + slice0cost_pixels_cost_4_0 +
-        slice0cost_pixels_cost_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_1 +
-        slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1 + slice0cost_pixels_cost_4_1 +
-        slice0cost_pixels_cost_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_2 +
-        slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2 + slice0cost_pixels_cost_4_2 +
-        slice0cost_pixels_cost_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_0 +
-        slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0 + slice0cost_pixels_cost_4_0 +
-        slice0cost_pixels_cost_5_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_1 +
-        slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1 + slice0cost_pixels_cost_4_1 +
-        slice0cost_pixels_cost_5_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_3_2 +
-        slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2 + slice0cost_pixels_cost_4_2 +
-        slice0cost_pixels_cost_5_2;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_1_0 <= slice0cost_pixels_cost_3_0 + slice0cost_pixels_cost_4_0;
+      slice0cost_pair_1_1 <= slice0cost_pixels_cost_3_1 + slice0cost_pixels_cost_4_1;
+      slice0cost_pair_1_2 <= slice0cost_pixels_cost_3_2 + slice0cost_pixels_cost_4_2;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_5_0 <= slice0cost_pixels_cost_5_0;
+      slice0cost_single_5_1 <= slice0cost_pixels_cost_5_1;
+      slice0cost_single_5_2 <= slice0cost_pixels_cost_5_2;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 + slice0cost_pair_1_0
+        + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 + slice0cost_pair_1_1
+        + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 + slice0cost_pair_1_2
+        + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 + slice0cost_pair_1_0
+        + slice0cost_single_5_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 + slice0cost_pair_1_1
+        + slice0cost_single_5_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 + slice0cost_pair_1_2
+        + slice0cost_single_5_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -643,51 +613,64 @@ begin
       slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_3_1;
       slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_3_2;
       slice0window_tag_valid <= slice0cost_tag_valid;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_0;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_0;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 21)) or (to_unsigned(slice0winner1_of_pair_0_1, 21))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 21)) or (to_unsigned(slice0winner1_of_pair_1_1, 21))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 21)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 21)))) or (to_unsigned(slice0winner1_of_four_0_0, 21))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 21)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 21)))) or (to_unsigned(slice0winner1_of_four_1_0, 21))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_0;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_0;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -722,42 +705,6 @@ begin
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       -- slice1cost
-      slice1cost_pixels_cost_0_0_value := (folded(slice1cost_pixels_first_0_0) + as_number((slice1cost_pixels_first_0_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_0_1_value := (folded(slice1cost_pixels_first_0_1) + as_number((slice1cost_pixels_first_0_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_0_2_value := (folded(slice1cost_pixels_first_0_2) + as_number((slice1cost_pixels_first_0_2
-        < 0))) mod 256;
-      slice1cost_pixels_cost_1_0_value := (folded(slice1cost_pixels_first_1_0) + as_number((slice1cost_pixels_first_1_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_1_1_value := (folded(slice1cost_pixels_first_1_1) + as_number((slice1cost_pixels_first_1_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_1_2_value := (folded(slice1cost_pixels_first_1_2) + as_number((slice1cost_pixels_first_1_2
-        < 0))) mod 256;
-      slice1cost_pixels_cost_2_0_value := (folded(slice1cost_pixels_first_2_0) + as_number((slice1cost_pixels_first_2_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_2_1_value := (folded(slice1cost_pixels_first_2_1) + as_number((slice1cost_pixels_first_2_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_2_2_value := (folded(slice1cost_pixels_first_2_2) + as_number((slice1cost_pixels_first_2_2
-        < 0))) mod 256;
-      slice1cost_pixels_cost_3_0_value := (folded(slice1cost_pixels_first_3_0) + as_number((slice1cost_pixels_first_3_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_3_1_value := (folded(slice1cost_pixels_first_3_1) + as_number((slice1cost_pixels_first_3_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_3_2_value := (folded(slice1cost_pixels_first_3_2) + as_number((slice1cost_pixels_first_3_2
-        < 0))) mod 256;
-      slice1cost_pixels_cost_4_0_value := (folded(slice1cost_pixels_first_4_0) + as_number((slice1cost_pixels_first_4_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_4_1_value := (folded(slice1cost_pixels_first_4_1) + as_number((slice1cost_pixels_first_4_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_4_2_value := (folded(slice1cost_pixels_first_4_2) + as_number((slice1cost_pixels_first_4_2
-        < 0))) mod 256;
-      slice1cost_pixels_cost_5_0_value := (folded(slice1cost_pixels_first_5_0) + as_number((slice1cost_pixels_first_5_0
-        < 0))) mod 256;
-      slice1cost_pixels_cost_5_1_value := (folded(slice1cost_pixels_first_5_1) + as_number((slice1cost_pixels_first_5_1
-        < 0))) mod 256;
-      slice1cost_pixels_cost_5_2_value := (folded(slice1cost_pixels_first_5_2) + as_number((slice1cost_pixels_first_5_2
-        < 0))) mod 256;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -776,42 +723,48 @@ begin
       slice1cost_pixels_first_5_0 <= slice1shift_search_5_0 - slice1shift_reference_5;
       slice1cost_pixels_first_5_1 <= slice1shift_search_5_1 - slice1shift_reference_5;
       slice1cost_pixels_first_5_2 <= slice1shift_search_5_2 - slice1shift_reference_5;
-      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_cost_0_0_value * slice1cost_pixels_cost_0_0_value;
-      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_cost_0_1_value * slice1cost_pixels_cost_0_1_value;
-      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_cost_0_2_value * slice1cost_pixels_cost_0_2_value;
-      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_cost_1_0_value * slice1cost_pixels_cost_1_0_value;
-      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_cost_1_1_value * slice1cost_pixels_cost_1_1_value;
-      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_cost_1_2_value * slice1cost_pixels_cost_1_2_value;
-      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_cost_2_0_value * slice1cost_pixels_cost_2_0_value;
-      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_cost_2_1_value * slice1cost_pixels_cost_2_1_value;
-      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_cost_2_2_value * slice1cost_pixels_cost_2_2_value;
-      slice1cost_pixels_cost_3_0 <= slice1cost_pixels_cost_3_0_value * slice1cost_pixels_cost_3_0_value;
-      slice1cost_pixels_cost_3_1 <= slice1cost_pixels_cost_3_1_value * slice1cost_pixels_cost_3_1_value;
-      slice1cost_pixels_cost_3_2 <= slice1cost_pixels_cost_3_2_value * slice1cost_pixels_cost_3_2_value;
-      slice1cost_pixels_cost_4_0 <= slice1cost_pixels_cost_4_0_value * slice1cost_pixels_cost_4_0_value;
-      slice1cost_pixels_cost_4_1 <= slice1cost_pixels_cost_4_1_value * slice1cost_pixels_cost_4_1_value;
-      slice1cost_pixels_cost_4_2 <= slice1cost_pixels_cost_4_2_value * slice1cost_pixels_cost_4_2_value;
-      slice1cost_pixels_cost_5_0 <= slice1cost_pixels_cost_5_0_value * slice1cost_pixels_cost_5_0_value;
-      slice1cost_pixels_cost_5_1 <= slice1cost_pixels_cost_5_1_value * slice1cost_pixels_cost_5_1_value;
-      slice1cost_pixels_cost_5_2 <= slice1cost_pixels_cost_5_2_value * slice1cost_pixels_cost_5_2_value;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_0 +
-        slice1cost_pixels_cost_2_0 + slice1cost_pixels_cost_3_0 + slice1cost_pixels_cost_1_0 +
-        slice1cost_pixels_cost_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_1 +
-        slice1cost_pixels_cost_2_1 + slice1cost_pixels_cost_3_1 + slice1cost_pixels_cost_1_1 +
-        slice1cost_pixels_cost_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_2 +
-        slice1cost_pixels_cost_2_2 + slice1cost_pixels_cost_3_2 + slice1cost_pixels_cost_1_2 +
-        slice1cost_pixels_cost_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_0 +
-        slice1cost_pixels_cost_2_0 + slice1cost_pixels_cost_3_0 + slice1cost_pixels_cost_1_0 +
-        slice1cost_pixels_cost_5_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_1 +
-        slice1cost_pixels_cost_2_1 + slice1cost_pixels_cost_3_1 + slice1cost_pixels_cost_1_1 +
-        slice1cost_pixels_cost_5_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_4_2 +
-        slice1cost_pixels_cost_2_2 + slice1cost_pixels_cost_3_2 + slice1cost_pixels_cost_1_2 +
-        slice1cost_pixels_cost_5_2;
+      slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0 * slice1cost_pixels_first_0_0;
+      slice1cost_pixels_cost_0_1 <= slice1cost_pixels_first_0_1 * slice1cost_pixels_first_0_1;
+      slice1cost_pixels_cost_0_2 <= slice1cost_pixels_first_0_2 * slice1cost_pixels_first_0_2;
+      slice1cost_pixels_cost_1_0 <= slice1cost_pixels_first_1_0 * slice1cost_pixels_first_1_0;
+      slice1cost_pixels_cost_1_1 <= slice1cost_pixels_first_1_1 * slice1cost_pixels_first_1_1;
+      slice1cost_pixels_cost_1_2 <= slice1cost_pixels_first_1_2 * slice1cost_pixels_first_1_2;
+      slice1cost_pixels_cost_2_0 <= slice1cost_pixels_first_2_0 * slice1cost_pixels_first_2_0;
+      slice1cost_pixels_cost_2_1 <= slice1cost_pixels_first_2_1 * slice1cost_pixels_first_2_1;
+      slice1cost_pixels_cost_2_2 <= slice1cost_pixels_first_2_2 * slice1cost_pixels_first_2_2;
+      slice1cost_pixels_cost_3_0 <= slice1cost_pixels_first_3_0 * slice1cost_pixels_first_3_0;
+      slice1cost_pixels_cost_3_1 <= slice1cost_pixels_first_3_1 * slice1cost_pixels_first_3_1;
+      slice1cost_pixels_cost_3_2 <= slice1cost_pixels_first_3_2 * slice1cost_pixels_first_3_2;
+      slice1cost_pixels_cost_4_0 <= slice1cost_pixels_first_4_0 * slice1cost_pixels_first_4_0;
+      slice1cost_pixels_cost_4_1 <= slice1cost_pixels_first_4_1 * slice1cost_pixels_first_4_1;
+      slice1cost_pixels_cost_4_2 <= slice1cost_pixels_first_4_2 * slice1cost_pixels_first_4_2;
+      slice1cost_pixels_cost_5_0 <= slice1cost_pixels_first_5_0 * slice1cost_pixels_first_5_0;
+      slice1cost_pixels_cost_5_1 <= slice1cost_pixels_first_5_1 * slice1cost_pixels_first_5_1;
+      slice1cost_pixels_cost_5_2 <= slice1cost_pixels_first_5_2 * slice1cost_pixels_first_5_2;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_1_0 <= slice1cost_pixels_cost_3_0 + slice1cost_pixels_cost_4_0;
+      slice1cost_pair_1_1 <= slice1cost_pixels_cost_3_1 + slice1cost_pixels_cost_4_1;
+      slice1cost_pair_1_2 <= slice1cost_pixels_cost_3_2 + slice1cost_pixels_cost_4_2;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_5_0 <= slice1cost_pixels_cost_5_0;
+      slice1cost_single_5_1 <= slice1cost_pixels_cost_5_1;
+      slice1cost_single_5_2 <= slice1cost_pixels_cost_5_2;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_pair_1_0 +
+        slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_pair_1_1 +
+        slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_pair_1_2 +
+        slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_pair_1_0 +
+        slice1cost_single_5_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_pair_1_1 +
+        slice1cost_single_5_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_pair_1_2 +
+        slice1cost_single_5_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -849,36 +802,45 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_3_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_3_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 21)) or (to_unsigned(slice1winner1_of_pair_0_1, 21))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 21)) or (to_unsigned(slice1winner1_of_pair_1_1, 21))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 21)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 21)))) or (to_unsigned(slice1winner1_of_four_0_0, 21))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 21)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 21)))) or (to_unsigned(slice1winner1_of_four_1_0, 21))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -905,30 +867,6 @@ begin
       slice2shift_reference_4 <= slice1shift_reference_4;
       slice2shift_reference_5 <= slice1shift_reference_5;
       -- slice2cost
-      slice2cost_pixels_cost_0_0_value := (folded(slice2cost_pixels_first_0_0) + as_number((slice2cost_pixels_first_0_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_0_1_value := (folded(slice2cost_pixels_first_0_1) + as_number((slice2cost_pixels_first_0_1
-        < 0))) mod 256;
-      slice2cost_pixels_cost_1_0_value := (folded(slice2cost_pixels_first_1_0) + as_number((slice2cost_pixels_first_1_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_1_1_value := (folded(slice2cost_pixels_first_1_1) + as_number((slice2cost_pixels_first_1_1
-        < 0))) mod 256;
-      slice2cost_pixels_cost_2_0_value := (folded(slice2cost_pixels_first_2_0) + as_number((slice2cost_pixels_first_2_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_2_1_value := (folded(slice2cost_pixels_first_2_1) + as_number((slice2cost_pixels_first_2_1
-        < 0))) mod 256;
-      slice2cost_pixels_cost_3_0_value := (folded(slice2cost_pixels_first_3_0) + as_number((slice2cost_pixels_first_3_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_3_1_value := (folded(slice2cost_pixels_first_3_1) + as_number((slice2cost_pixels_first_3_1
-        < 0))) mod 256;
-      slice2cost_pixels_cost_4_0_value := (folded(slice2cost_pixels_first_4_0) + as_number((slice2cost_pixels_first_4_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_4_1_value := (folded(slice2cost_pixels_first_4_1) + as_number((slice2cost_pixels_first_4_1
-        < 0))) mod 256;
-      slice2cost_pixels_cost_5_0_value := (folded(slice2cost_pixels_first_5_0) + as_number((slice2cost_pixels_first_5_0
-        < 0))) mod 256;
-      slice2cost_pixels_cost_5_1_value := (folded(slice2cost_pixels_first_5_1) + as_number((slice2cost_pixels_first_5_1
-        < 0))) mod 256;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -941,32 +879,36 @@ begin
       slice2cost_pixels_first_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
       slice2cost_pixels_first_5_0 <= slice2shift_search_5_0 - slice2shift_reference_5;
       slice2cost_pixels_first_5_1 <= slice2shift_search_5_1 - slice2shift_reference_5;
-      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_cost_0_0_value * slice2cost_pixels_cost_0_0_value;
-      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_cost_0_1_value * slice2cost_pixels_cost_0_1_value;
-      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_cost_1_0_value * slice2cost_pixels_cost_1_0_value;
-      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_cost_1_1_value * slice2cost_pixels_cost_1_1_value;
-      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_cost_2_0_value * slice2cost_pixels_cost_2_0_value;
-      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_cost_2_1_value * slice2cost_pixels_cost_2_1_value;
-      slice2cost_pixels_cost_3_0 <= slice2cost_pixels_cost_3_0_value * slice2cost_pixels_cost_3_0_value;
-      slice2cost_pixels_cost_3_1 <= slice2cost_pixels_cost_3_1_value * slice2cost_pixels_cost_3_1_value;
-      slice2cost_pixels_cost_4_0 <= slice2cost_pixels_cost_4_0_value * slice2cost_pixels_cost_4_0_value;
-      slice2cost_pixels_cost_4_1 <= slice2cost_pixels_cost_4_1_value * slice2cost_pixels_cost_4_1_value;
-      slice2cost_pixels_cost_5_0 <= slice2cost_pixels_cost_5_0_value * slice2cost_pixels_cost_5_0_value;
-      slice2cost_pixels_cost_5_1 <= slice2cost_pixels_cost_5_1_value * slice2cost_pixels_cost_5_1_value;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_4_0 +
-        slice2cost_pixels_cost_2_0 + slice2cost_pixels_cost_3_0 + slice2cost_pixels_cost_1_0 +
-        slice2cost_pixels_cost_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_4_1 +
-        slice2cost_pixels_cost_2_1 + slice2cost_pixels_cost_3_1 + slice2cost_pixels_cost_1_1 +
-        slice2cost_pixels_cost_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_4_0 +
-        slice2cost_pixels_cost_2_0 + slice2cost_pixels_cost_3_0 + slice2cost_pixels_cost_1_0 +
-        slice2cost_pixels_cost_5_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_4_1 +
-        slice2cost_pixels_cost_2_1 + slice2cost_pixels_cost_3_1 + slice2cost_pixels_cost_1_1 +
-        slice2cost_pixels_cost_5_1;
+      slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0 * slice2cost_pixels_first_0_0;
+      slice2cost_pixels_cost_0_1 <= slice2cost_pixels_first_0_1 * slice2cost_pixels_first_0_1;
+      slice2cost_pixels_cost_1_0 <= slice2cost_pixels_first_1_0 * slice2cost_pixels_first_1_0;
+      slice2cost_pixels_cost_1_1 <= slice2cost_pixels_first_1_1 * slice2cost_pixels_first_1_1;
+      slice2cost_pixels_cost_2_0 <= slice2cost_pixels_first_2_0 * slice2cost_pixels_first_2_0;
+      slice2cost_pixels_cost_2_1 <= slice2cost_pixels_first_2_1 * slice2cost_pixels_first_2_1;
+      slice2cost_pixels_cost_3_0 <= slice2cost_pixels_first_3_0 * slice2cost_pixels_first_3_0;
+      slice2cost_pixels_cost_3_1 <= slice2cost_pixels_first_3_1 * slice2cost_pixels_first_3_1;
+      slice2cost_pixels_cost_4_0 <= slice2cost_pixels_first_4_0 * slice2cost_pixels_first_4_0;
+      slice2cost_pixels_cost_4_1 <= slice2cost_pixels_first_4_1 * slice2cost_pixels_first_4_1;
+      slice2cost_pixels_cost_5_0 <= slice2cost_pixels_first_5_0 * slice2cost_pixels_first_5_0;
+      slice2cost_pixels_cost_5_1 <= slice2cost_pixels_first_5_1 * slice2cost_pixels_first_5_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_pair_1_0 <= slice2cost_pixels_cost_3_0 + slice2cost_pixels_cost_4_0;
+      slice2cost_pair_1_1 <= slice2cost_pixels_cost_3_1 + slice2cost_pixels_cost_4_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_single_5_0 <= slice2cost_pixels_cost_5_0;
+      slice2cost_single_5_1 <= slice2cost_pixels_cost_5_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_pair_1_0 +
+        slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_pair_1_1 +
+        slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_pair_1_0 +
+        slice2cost_single_5_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_pair_1_1 +
+        slice2cost_single_5_1;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -991,8 +933,8 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_3_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_3_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -1004,11 +946,16 @@ begin
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1019,10 +966,10 @@ begin
       other_2 <= other_3;
       other_3 <= (in_left_pixel / 256) * 256;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1057,6 +1004,10 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_output_column <= false;
         slice0cost_tag_start_of_frame <= false;
@@ -1067,14 +1018,18 @@ begin
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_subpixel: 32x12, 8 disparities, window 3x3, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_subpixel: 32x12, 8 disparities, window 3x3, 1 pixel pair a clock.
 -- Options: disparities 8, subpixel true, slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_subpixel
@@ -17,7 +17,7 @@ entity stereo_core_tiny_subpixel is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
     output_width_px : positive := 24;
-    latency_clocks : positive := 26;
+    latency_clocks : positive := 28;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_subpixel: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_tiny_subpixel: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_subpixel: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 26 report "stereo_core_tiny_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
+  assert latency_clocks = 28 report "stereo_core_tiny_subpixel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_subpixel: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_subpixel: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_subpixel is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_subpixel is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,7 +92,7 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -102,8 +100,8 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal delay_ahead_0 : natural range 0 to 255;
   signal delay_delayed_0 : unsigned(7 downto 0);
   signal delay_column : natural range 0 to 31;
-  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
-  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_newest_inside : boolean;
+  signal delay_tag_border_column, delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(15 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 255;
@@ -113,33 +111,34 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 65535;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_2, rows_read_tag_valid : boolean;
-  signal rows_read_tag_border_column, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
-  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_inside_2 : boolean;
-  signal rows_ready_tag_valid, rows_ready_tag_border_column, rows_ready_tag_output_column : boolean;
-  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid : boolean;
-  signal rows_tag_border_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  signal rows_read_tag_newest_inside, rows_read_tag_border_column, rows_read_tag_output_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
+  signal rows_ready_inside_2, rows_ready_tag_valid, rows_ready_tag_newest_inside : boolean;
+  signal rows_ready_tag_border_column, rows_ready_tag_output_column, rows_ready_tag_start_of_frame : boolean;
+  signal rows_ready_tag_end_of_line, rows_inside_2, rows_tag_valid, rows_tag_border_column : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
   signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
   signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
   signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
   signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 255;
-  signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
-  signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  signal slice0shift_tag_valid, slice0shift_tag_newest_inside, slice0shift_tag_border_column : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_newest_inside : boolean;
+  signal slice0cost_difference_tag_border_column, slice0cost_difference_tag_output_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_newest_inside, slice0cost_pair_tag_border_column : boolean;
   signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
   signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   -- slice0window
   signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 767;
@@ -177,11 +176,10 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
   signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 767;
@@ -210,10 +208,9 @@ architecture rtl of stereo_core_tiny_subpixel is
   -- slice2cost
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
   signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
@@ -236,10 +233,9 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 7;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 7;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 7;
-  signal refinement_disparity_9_0, refinement_quotient_3_0 : natural range 0 to 7;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 7;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
-  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
   signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
   signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
   signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
@@ -252,24 +248,32 @@ architecture rtl of stereo_core_tiny_subpixel is
   signal refinement_tag_7_output_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
   signal refinement_tag_8_valid, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
   signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_output_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_negative_0_0 : boolean;
-  signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
-  signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
-  signal refinement_remainder_0_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 4095;
+  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_tag_10_valid : boolean;
+  signal refinement_tag_10_output_column, refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line : boolean;
+  signal refinement_tag_11_valid, refinement_tag_11_output_column, refinement_tag_11_start_of_frame : boolean;
+  signal refinement_tag_11_end_of_line, refinement_negative_0_0, refinement_negative_1_0 : boolean;
+  signal refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0, refinement_negative_5_0 : boolean;
+  signal refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_tag_0_row_start : natural range 0 to 128;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_remainder_0_0 : natural range 0 to 2301;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_1_0, refinement_remainder_2_0 : natural range 0 to 4095;
   signal refinement_remainder_3_0, refinement_remainder_4_0, refinement_remainder_5_0 : natural range 0 to 4095;
   signal refinement_remainder_6_0, refinement_remainder_7_0, refinement_divisor_0_0 : natural range 0 to 4095;
   signal refinement_divisor_1_0, refinement_divisor_2_0, refinement_divisor_3_0 : natural range 0 to 4095;
   signal refinement_divisor_4_0, refinement_divisor_5_0, refinement_divisor_6_0 : natural range 0 to 4095;
   signal refinement_divisor_7_0 : natural range 0 to 4095;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_4_0 : natural range 0 to 15;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_6_0 : natural range 0 to 63;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_difference_0 : integer range -2301 to 2301;
   signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
   -- map
   signal map_out_disparity_0 : natural range 0 to 65535;
-  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  -- other
+  signal other_0 : natural range 0 to 254;
+  signal other_1 : natural range 0 to 252;
+  signal other_2 : natural range 0 to 248;
+  signal other_3 : natural range 0 to 240;
+  signal other_4 : natural range 0 to 224;
+  signal other_5 : natural range 0 to 192;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
@@ -280,7 +284,7 @@ begin
   in_left_pixel <= to_integer(unsigned(left_pixel));
   in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(slice0cost_pair_tag_newest_inside), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
@@ -310,42 +314,31 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_features_start_of_frame_is_not_less, raster_place_group_is_equal : boolean;
-    variable raster_place_group_is_equal_2, raster_place_group_all, raster_place_group_is_equal_3 : boolean;
-    variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
-    variable delay_row_inside_1_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_2_0_is_not_less : boolean;
-    variable refinement_remainder_3_0_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
-    variable refinement_remainder_5_0_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
-    variable refinement_remainder_7_0_is_not_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less, slice2_best_cost_0_0_is_less : boolean;
+    variable refinement_divisor_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable slice0winner2_best_above_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 2301;
     variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 2301;
     variable slice2_best_below_0_0_choice, slice2_best_above_0_0_choice : natural range 0 to 2301;
-    variable refinement_remainder_0_0_choice, refinement_remainder_0_0_choice_2 : natural range 0 to 2301;
     variable slice1_best_index_0_0_sum : natural range 1 to 2;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_value_2 : natural range 0 to 4095;
-    variable refinement_remainder_0_0_choice_3, refinement_remainder_0_0_choice_4 : natural range 0 to 4095;
-    variable refinement_remainder_1_0_choice, refinement_remainder_2_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_3_0_choice, refinement_remainder_4_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_5_0_choice, refinement_remainder_6_0_choice : natural range 0 to 4095;
-    variable refinement_remainder_7_0_choice : natural range 0 to 4095;
+    variable refinement_tag_0_row_start_difference : natural range 4097 to 10493;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 4097 to 16382;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 4097 to 16382;
+    variable refinement_divisor_0_0_choice : natural range 0 to 4095;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
     variable refinement_fraction_0_choice_2 : natural range 0 to 7;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_features_start_of_frame_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 11;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
@@ -359,7 +352,6 @@ begin
         raster_place_group;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
-      raster_features_start_of_frame <= raster_features_start_of_frame_is_not_less;
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
@@ -379,16 +371,19 @@ begin
         delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= refinement_passed_5_0;
       delay_tag_valid <= raster_features_valid;
+      delay_tag_newest_inside <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= delay_row_inside_1_is_less and (((raster_place_column + 65529) mod 65536) < 24);
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and (raster_place_column
+        >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -403,6 +398,7 @@ begin
       rows_read_inside_1 <= delay_row_inside_1;
       rows_read_inside_2 <= delay_row_inside_2;
       rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_newest_inside <= delay_tag_newest_inside;
       rows_read_tag_border_column <= delay_tag_border_column;
       rows_read_tag_output_column <= delay_tag_output_column;
       rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
@@ -412,16 +408,17 @@ begin
       rows_ready_inside_1 <= rows_read_inside_1;
       rows_ready_inside_2 <= rows_read_inside_2;
       rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_newest_inside <= rows_read_tag_newest_inside;
       rows_ready_tag_border_column <= rows_read_tag_border_column;
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
       rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when refinement_passed_8_0 else 0;
+      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_inside_2 <= rows_ready_inside_2;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
@@ -454,17 +451,12 @@ begin
       slice0shift_search_out_1 <= slice0shift_search_1_0;
       slice0shift_search_out_2 <= slice0shift_search_2_0;
       slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_newest_inside <= rows_inside_2;
       slice0shift_tag_border_column <= rows_tag_border_column;
       slice0shift_tag_output_column <= rows_tag_output_column;
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -474,27 +466,26 @@ begin
       slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
       slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
       slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_newest_inside <= slice0shift_tag_newest_inside;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_newest_inside <= slice0cost_difference_tag_newest_inside;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
@@ -530,7 +521,7 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
@@ -547,7 +538,7 @@ begin
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
@@ -592,12 +583,6 @@ begin
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -607,21 +592,18 @@ begin
       slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
       slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
       slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_0_0;
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
@@ -642,7 +624,7 @@ begin
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
@@ -652,7 +634,7 @@ begin
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
@@ -666,7 +648,7 @@ begin
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_index_0_0_sum := (slice1winner2_best_index_0_0 / 2) + 1;
       slice1_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice0_best_index_0_0 = 5 else
         slice0_best_below_0_0;
@@ -697,26 +679,20 @@ begin
       slice2shift_reference_1 <= slice1shift_reference_1;
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
       slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_0_0;
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
@@ -731,7 +707,7 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
@@ -745,7 +721,7 @@ begin
       slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_0;
       slice2winner2_best_last_0_0 <= slice2winner1_best_last_0_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice1_best_cost_0_0 < slice2winner2_best_cost_0_0;
+      slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0;
       slice2_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice1_best_index_0_0 = 2 else
         slice1_best_below_0_0;
       slice2_best_above_0_0_choice := slice1_best_first_0_0 when slice2winner2_best_index_0_0 else
@@ -762,30 +738,15 @@ begin
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- refinement
-      refinement_remainder_0_0_choice := slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else
-        slice2_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_choice_2 := slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else
-        slice2_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when raster_features_start_of_frame_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
+      refinement_tag_0_row_start_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 8192) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 8192) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -808,16 +769,16 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
       refinement_passed_3_0 <= refinement_passed_2_0;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
-      refinement_passed_6_0 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      refinement_passed_7_0 <= refinement_passed_6_0;
-      refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_tag_0_valid <= slice2_best_tag_valid;
+      refinement_tag_0_row_start <= (refinement_tag_0_row_start_difference / 8192) * 128;
       refinement_tag_0_output_column <= slice2_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
       refinement_tag_0_end_of_line <= slice2_best_tag_end_of_line;
@@ -857,16 +818,37 @@ begin
       refinement_tag_9_output_column <= refinement_tag_8_output_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 4096;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 4096;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 2048) * 2) - refinement_remainder_2_0_choice) mod
-        4096;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 4096;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 4096;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 4096;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 4096;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 4096;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice2_best_cost_0_0;
+      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
+      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096 when
+        (refinement_tag_0_row_start_difference / 8192) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
+        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
+        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
+        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
+        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
+        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
+        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -874,16 +856,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_2_0 <= (as_number(raster_features_start_of_frame) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
+      refinement_quotient_8_0 <= (((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 8192) +
+        ((other_0 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -894,13 +869,20 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_passed_0 <= rows_inside_2;
-      map_out_valid <= refinement_tag_9_valid and refinement_tag_9_output_column;
-      map_out_start_of_frame <= refinement_tag_9_start_of_frame and refinement_tag_9_valid and
-        refinement_tag_9_output_column;
-      map_out_end_of_line <= refinement_tag_9_end_of_line and refinement_tag_9_valid and refinement_tag_9_output_column;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      -- other
+      other_0 <= ((refinement_remainder_7_0_difference / 8192) * 2) + ((other_1 / 4) * 4);
+      other_1 <= ((refinement_remainder_6_0_difference / 8192) * 4) + ((other_2 / 8) * 8);
+      other_2 <= ((refinement_remainder_5_0_difference / 8192) * 8) + ((other_3 / 16) * 16);
+      other_3 <= ((refinement_remainder_4_0_difference / 8192) * 16) + ((other_4 / 32) * 32);
+      other_4 <= ((refinement_remainder_3_0_difference / 8192) * 32) + ((other_5 / 64) * 64);
+      other_5 <= ((refinement_remainder_2_0_difference / 8192) * 64) + ((refinement_tag_0_row_start / 128) * 128);
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -1011,6 +993,14 @@ begin
         refinement_tag_9_output_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;

@@ -17,7 +17,7 @@ entity stereo_core_tiny_subpixel_left_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 16;
     output_width_px : positive := 24;
-    latency_clocks : positive := 26;
+    latency_clocks : positive := 28;
     flush_groups : positive := 33;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_subpixel_left_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 16 report "stereo_core_tiny_subpixel_left_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_subpixel_left_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 26 report "stereo_core_tiny_subpixel_left_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
+  assert latency_clocks = 28 report "stereo_core_tiny_subpixel_left_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
   assert flush_groups = 33 report "stereo_core_tiny_subpixel_left_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 33" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_subpixel_left_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_subpixel_left_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   -- raster
   signal raster_features_search : natural range 0 to 65535;
   signal raster_features_reference_0, raster_features_reference_1 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -136,18 +134,16 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
   -- slice0window
@@ -197,12 +193,11 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -243,10 +238,10 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
   signal slice2cost_column_1_1 : natural range 0 to 767;
   -- slice2window
@@ -281,50 +276,61 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   signal refinement_disparity_4_1, refinement_disparity_5_0, refinement_disparity_5_1 : natural range 0 to 7;
   signal refinement_disparity_6_0, refinement_disparity_6_1, refinement_disparity_7_0 : natural range 0 to 7;
   signal refinement_disparity_7_1, refinement_disparity_8_0, refinement_disparity_8_1 : natural range 0 to 7;
-  signal refinement_disparity_9_0, refinement_disparity_9_1, refinement_quotient_3_0 : natural range 0 to 7;
-  signal refinement_quotient_3_1 : natural range 0 to 7;
+  signal refinement_disparity_9_0, refinement_disparity_9_1, refinement_disparity_10_0 : natural range 0 to 7;
+  signal refinement_disparity_10_1, refinement_disparity_11_0, refinement_disparity_11_1 : natural range 0 to 7;
   signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
   signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
-  signal refinement_passed_8_0, refinement_passed_9_0, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
-  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
-  signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
-  signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
-  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_output_column : boolean;
-  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
-  signal refinement_tag_4_output_column, refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line : boolean;
-  signal refinement_tag_5_valid, refinement_tag_5_output_column, refinement_tag_5_start_of_frame : boolean;
-  signal refinement_tag_5_end_of_line, refinement_tag_6_valid, refinement_tag_6_output_column : boolean;
-  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
-  signal refinement_tag_7_output_column, refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line : boolean;
-  signal refinement_tag_8_valid, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
-  signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_output_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_quotient_1_1 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
+  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
+  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
+  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
+  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
+  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
+  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
+  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
+  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
   signal refinement_negative_0_0, refinement_negative_0_1, refinement_negative_1_0, refinement_negative_1_1 : boolean;
   signal refinement_negative_2_0, refinement_negative_2_1, refinement_negative_3_0, refinement_negative_3_1 : boolean;
   signal refinement_negative_4_0, refinement_negative_4_1, refinement_negative_5_0, refinement_negative_5_1 : boolean;
   signal refinement_negative_6_0, refinement_negative_6_1, refinement_negative_7_0, refinement_negative_7_1 : boolean;
   signal refinement_negative_8_0, refinement_negative_8_1 : boolean;
-  signal refinement_remainder_0_0, refinement_remainder_0_1, refinement_remainder_1_0 : natural range 0 to 4095;
-  signal refinement_remainder_1_1, refinement_remainder_2_0, refinement_remainder_2_1 : natural range 0 to 4095;
-  signal refinement_remainder_3_0, refinement_remainder_3_1, refinement_remainder_4_0 : natural range 0 to 4095;
-  signal refinement_remainder_4_1, refinement_remainder_5_0, refinement_remainder_5_1 : natural range 0 to 4095;
-  signal refinement_remainder_6_0, refinement_remainder_6_1, refinement_remainder_7_0 : natural range 0 to 4095;
-  signal refinement_remainder_7_1, refinement_divisor_0_0, refinement_divisor_0_1 : natural range 0 to 4095;
-  signal refinement_divisor_1_0, refinement_divisor_1_1, refinement_divisor_2_0 : natural range 0 to 4095;
-  signal refinement_divisor_2_1, refinement_divisor_3_0, refinement_divisor_3_1 : natural range 0 to 4095;
-  signal refinement_divisor_4_0, refinement_divisor_4_1, refinement_divisor_5_0 : natural range 0 to 4095;
-  signal refinement_divisor_5_1, refinement_divisor_6_0, refinement_divisor_6_1 : natural range 0 to 4095;
-  signal refinement_divisor_7_0, refinement_divisor_7_1 : natural range 0 to 4095;
-  signal refinement_quotient_2_0, refinement_quotient_2_1 : natural range 0 to 3;
-  signal refinement_quotient_4_0, refinement_quotient_4_1 : natural range 0 to 15;
-  signal refinement_quotient_5_0, refinement_quotient_5_1 : natural range 0 to 31;
-  signal refinement_quotient_6_0, refinement_quotient_6_1 : natural range 0 to 63;
-  signal refinement_quotient_7_0, refinement_quotient_7_1 : natural range 0 to 127;
+  signal refinement_tag_0_row_start : natural range 0 to 128;
+  signal refinement_cost_0, refinement_cost_1, refinement_below_0, refinement_below_1 : natural range 0 to 2301;
+  signal refinement_above_0, refinement_above_1, refinement_remainder_0_0 : natural range 0 to 2301;
+  signal refinement_remainder_0_1 : natural range 0 to 2301;
+  signal refinement_u_0, refinement_u_1, refinement_v_0, refinement_v_1 : natural range 0 to 4095;
+  signal refinement_remainder_1_0, refinement_remainder_1_1, refinement_remainder_2_0 : natural range 0 to 4095;
+  signal refinement_remainder_2_1, refinement_remainder_3_0, refinement_remainder_3_1 : natural range 0 to 4095;
+  signal refinement_remainder_4_0, refinement_remainder_4_1, refinement_remainder_5_0 : natural range 0 to 4095;
+  signal refinement_remainder_5_1, refinement_remainder_6_0, refinement_remainder_6_1 : natural range 0 to 4095;
+  signal refinement_remainder_7_0, refinement_remainder_7_1, refinement_divisor_0_0 : natural range 0 to 4095;
+  signal refinement_divisor_0_1, refinement_divisor_1_0, refinement_divisor_1_1 : natural range 0 to 4095;
+  signal refinement_divisor_2_0, refinement_divisor_2_1, refinement_divisor_3_0 : natural range 0 to 4095;
+  signal refinement_divisor_3_1, refinement_divisor_4_0, refinement_divisor_4_1 : natural range 0 to 4095;
+  signal refinement_divisor_5_0, refinement_divisor_5_1, refinement_divisor_6_0 : natural range 0 to 4095;
+  signal refinement_divisor_6_1, refinement_divisor_7_0, refinement_divisor_7_1 : natural range 0 to 4095;
+  signal refinement_difference_0, refinement_difference_1 : integer range -2301 to 2301;
   signal refinement_quotient_8_0, refinement_quotient_8_1, refinement_fraction_0 : natural range 0 to 255;
   signal refinement_fraction_1 : natural range 0 to 255;
   -- map
   signal map_out_disparity_0, map_out_disparity_1 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  -- other
+  signal other_0, other_1 : natural range 0 to 254;
+  signal other_2, other_3 : natural range 0 to 252;
+  signal other_4, other_5 : natural range 0 to 248;
+  signal other_6, other_7 : natural range 0 to 240;
+  signal other_8, other_9 : natural range 0 to 224;
+  signal other_10, other_11 : natural range 0 to 192;
+  signal other_12 : natural range 0 to 128;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
@@ -356,81 +362,63 @@ begin
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
-    variable raster_features_start_of_frame_is_not_less, raster_place_group_is_equal, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_2, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
-    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less : boolean;
-    variable refinement_remainder_0_0_is_less, refinement_remainder_0_1_is_less : boolean;
-    variable refinement_remainder_1_1_is_not_less, refinement_remainder_2_0_is_not_less : boolean;
-    variable refinement_remainder_2_1_is_not_less, refinement_remainder_3_0_is_not_less : boolean;
-    variable refinement_remainder_3_1_is_not_less, refinement_remainder_4_0_is_not_less : boolean;
-    variable refinement_remainder_4_1_is_not_less, refinement_remainder_5_0_is_not_less : boolean;
-    variable refinement_remainder_5_1_is_not_less, refinement_remainder_6_0_is_not_less : boolean;
-    variable refinement_remainder_6_1_is_not_less, refinement_remainder_7_0_is_not_less : boolean;
-    variable refinement_remainder_7_1_is_not_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable slice0winner1_best_cost_1_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner2_best_cost_1_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, refinement_divisor_0_0_is_less : boolean;
+    variable refinement_divisor_0_1_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
     variable refinement_fraction_0_choice_2, refinement_fraction_1_choice_2 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable refinement_fraction_0_choice, refinement_fraction_1_choice : natural range 0 to 255;
     variable slice0winner2_best_above_0_0_choice, slice0winner2_best_above_1_0_choice : natural range 0 to 2301;
     variable slice1winner2_best_above_0_0_choice, slice1winner2_best_above_1_0_choice : natural range 0 to 2301;
     variable slice1_best_below_0_0_choice, slice1_best_below_1_0_choice : natural range 0 to 2301;
     variable slice1_best_above_0_0_choice, slice1_best_above_1_0_choice : natural range 0 to 2301;
     variable slice2_best_below_0_0_choice, slice2_best_below_1_0_choice : natural range 0 to 2301;
     variable slice2_best_above_0_0_choice, slice2_best_above_1_0_choice : natural range 0 to 2301;
-    variable refinement_remainder_0_0_choice, refinement_remainder_0_0_choice_2 : natural range 0 to 2301;
-    variable refinement_remainder_0_1_choice, refinement_remainder_0_1_choice_2 : natural range 0 to 2301;
-    variable refinement_remainder_0_0_value, refinement_remainder_0_0_value_2 : natural range 0 to 4095;
-    variable refinement_remainder_0_0_choice_3, refinement_remainder_0_0_choice_4 : natural range 0 to 4095;
-    variable refinement_remainder_0_1_value, refinement_remainder_0_1_value_2 : natural range 0 to 4095;
-    variable refinement_remainder_0_1_choice_3, refinement_remainder_0_1_choice_4 : natural range 0 to 4095;
-    variable refinement_remainder_1_0_choice, refinement_remainder_1_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_2_0_choice, refinement_remainder_2_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_3_0_choice, refinement_remainder_3_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_4_0_choice, refinement_remainder_4_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_5_0_choice, refinement_remainder_5_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_6_0_choice, refinement_remainder_6_1_choice : natural range 0 to 4095;
-    variable refinement_remainder_7_0_choice, refinement_remainder_7_1_choice : natural range 0 to 4095;
+    variable refinement_tag_0_row_start_difference, refinement_remainder_1_1_difference : natural range 4097 to 10493;
+    variable refinement_remainder_2_0_difference, refinement_remainder_2_1_difference : natural range 4097 to 16382;
+    variable refinement_remainder_3_0_difference, refinement_remainder_3_1_difference : natural range 4097 to 16382;
+    variable refinement_remainder_4_0_difference, refinement_remainder_4_1_difference : natural range 4097 to 16382;
+    variable refinement_remainder_5_0_difference, refinement_remainder_5_1_difference : natural range 4097 to 16382;
+    variable refinement_remainder_6_0_difference, refinement_remainder_6_1_difference : natural range 4097 to 16382;
+    variable refinement_remainder_7_0_difference, refinement_remainder_7_1_difference : natural range 4097 to 16382;
+    variable refinement_divisor_0_0_choice, refinement_divisor_0_1_choice : natural range 0 to 4095;
     variable refinement_fraction_0_difference, refinement_fraction_1_difference : integer range -15 to 0;
     variable refinement_fraction_0_value, refinement_fraction_1_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice, refinement_fraction_1_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
-      raster_features_start_of_frame_is_not_less := refinement_remainder_0_0 >= refinement_divisor_0_0;
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
+        raster_place_group_is_equal and in_valid else raster_place_group;
       raster_features_search <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel mod 256;
       raster_features_reference_1 <= in_left_pixel / 256;
-      raster_features_start_of_frame <= raster_features_start_of_frame_is_not_less;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
+      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
       raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
       raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
         raster_place_next_frame;
       if in_valid then
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
-        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
@@ -446,8 +434,8 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and ((((((raster_place_column / 8) +
-        8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and ((((((raster_place_column /
+        8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -528,12 +516,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -546,49 +528,43 @@ begin
       slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -623,8 +599,8 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
@@ -647,8 +623,8 @@ begin
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
         slice0winner1_best_above_0_0;
       slice0winner2_best_above_1_0_choice := slice0winner1_best_cost_1_1 when slice0winner1_best_index_1_0 else
@@ -714,12 +690,6 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_2;
       slice1shift_search_out_3 <= slice1shift_search_3_2;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -732,39 +702,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -788,8 +752,8 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
@@ -807,8 +771,8 @@ begin
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       slice1winner1_best_last_1_0 <= slice1window_sum_1_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
         slice1winner1_best_above_0_0;
       slice1winner2_best_above_1_0_choice := slice1winner1_best_cost_1_1 when slice1winner1_best_index_1_0 else
@@ -834,8 +798,8 @@ begin
       slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
       slice1winner2_best_last_1_0 <= slice1winner1_best_cost_1_1;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice1winner2_best_cost_0_0 < slice0_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice1winner2_best_cost_1_0 < slice0_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice1winner2_best_cost_1_0 - slice0_best_cost_1_0) < 0;
       slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner2_best_index_0_0 = 0 else
         slice1winner2_best_below_0_0;
       slice1_best_below_1_0_choice := slice0_best_last_1_0 when slice1winner2_best_index_1_0 = 0 else
@@ -880,10 +844,6 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       slice2shift_reference_3 <= slice1shift_reference_3;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -892,28 +852,24 @@ begin
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
+      slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -930,8 +886,8 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -956,8 +912,8 @@ begin
       slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
       slice2winner2_best_first_1_0 <= slice2winner1_best_first_1_0;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice2winner2_best_cost_0_0 < slice1_best_cost_0_0;
-      slice2_best_cost_1_0_is_less := slice2winner2_best_cost_1_0 < slice1_best_cost_1_0;
+      slice2_best_cost_0_0_is_less := (slice2winner2_best_cost_0_0 - slice1_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice2winner2_best_cost_1_0 - slice1_best_cost_1_0) < 0;
       slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
         slice1_best_last_0_0;
       slice2_best_below_1_0_choice := slice2winner2_best_below_1_0 when slice2winner2_best_index_1_0 else
@@ -985,55 +941,24 @@ begin
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       -- refinement
-      refinement_remainder_0_0_choice := slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else
-        slice2_best_below_0_0;
-      refinement_remainder_0_0_value := (refinement_remainder_0_0_choice - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_choice_2 := slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else
-        slice2_best_above_0_0;
-      refinement_remainder_0_0_value_2 := (refinement_remainder_0_0_choice_2 - slice2_best_cost_0_0) mod 4096;
-      refinement_remainder_0_0_is_less := refinement_remainder_0_0_value < refinement_remainder_0_0_value_2;
-      refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_value_2 when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value;
-      refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_value when refinement_remainder_0_0_is_less else
-        refinement_remainder_0_0_value_2;
-      refinement_remainder_0_1_choice := slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else
-        slice2_best_below_1_0;
-      refinement_remainder_0_1_value := (refinement_remainder_0_1_choice - slice2_best_cost_1_0) mod 4096;
-      refinement_remainder_0_1_choice_2 := slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else
-        slice2_best_above_1_0;
-      refinement_remainder_0_1_value_2 := (refinement_remainder_0_1_choice_2 - slice2_best_cost_1_0) mod 4096;
-      refinement_remainder_0_1_is_less := refinement_remainder_0_1_value < refinement_remainder_0_1_value_2;
-      refinement_remainder_0_1_choice_3 := refinement_remainder_0_1_value_2 when refinement_remainder_0_1_is_less else
-        refinement_remainder_0_1_value;
-      refinement_remainder_0_1_choice_4 := refinement_remainder_0_1_value when refinement_remainder_0_1_is_less else
-        refinement_remainder_0_1_value_2;
-      refinement_remainder_1_0_choice := refinement_divisor_0_0 when raster_features_start_of_frame_is_not_less else 0;
-      refinement_remainder_1_1_is_not_less := refinement_remainder_0_1 >= refinement_divisor_0_1;
-      refinement_remainder_1_1_choice := refinement_divisor_0_1 when refinement_remainder_1_1_is_not_less else 0;
-      refinement_remainder_2_0_is_not_less := (refinement_remainder_1_0 * 2) >= refinement_divisor_1_0;
-      refinement_remainder_2_0_choice := refinement_divisor_1_0 when refinement_remainder_2_0_is_not_less else 0;
-      refinement_remainder_2_1_is_not_less := (refinement_remainder_1_1 * 2) >= refinement_divisor_1_1;
-      refinement_remainder_2_1_choice := refinement_divisor_1_1 when refinement_remainder_2_1_is_not_less else 0;
-      refinement_remainder_3_0_is_not_less := (refinement_remainder_2_0 * 2) >= refinement_divisor_2_0;
-      refinement_remainder_3_0_choice := refinement_divisor_2_0 when refinement_remainder_3_0_is_not_less else 0;
-      refinement_remainder_3_1_is_not_less := (refinement_remainder_2_1 * 2) >= refinement_divisor_2_1;
-      refinement_remainder_3_1_choice := refinement_divisor_2_1 when refinement_remainder_3_1_is_not_less else 0;
-      refinement_remainder_4_0_is_not_less := (refinement_remainder_3_0 * 2) >= refinement_divisor_3_0;
-      refinement_remainder_4_0_choice := refinement_divisor_3_0 when refinement_remainder_4_0_is_not_less else 0;
-      refinement_remainder_4_1_is_not_less := (refinement_remainder_3_1 * 2) >= refinement_divisor_3_1;
-      refinement_remainder_4_1_choice := refinement_divisor_3_1 when refinement_remainder_4_1_is_not_less else 0;
-      refinement_remainder_5_0_is_not_less := (refinement_remainder_4_0 * 2) >= refinement_divisor_4_0;
-      refinement_remainder_5_0_choice := refinement_divisor_4_0 when refinement_remainder_5_0_is_not_less else 0;
-      refinement_remainder_5_1_is_not_less := (refinement_remainder_4_1 * 2) >= refinement_divisor_4_1;
-      refinement_remainder_5_1_choice := refinement_divisor_4_1 when refinement_remainder_5_1_is_not_less else 0;
-      refinement_remainder_6_0_is_not_less := (refinement_remainder_5_0 * 2) >= refinement_divisor_5_0;
-      refinement_remainder_6_0_choice := refinement_divisor_5_0 when refinement_remainder_6_0_is_not_less else 0;
-      refinement_remainder_6_1_is_not_less := (refinement_remainder_5_1 * 2) >= refinement_divisor_5_1;
-      refinement_remainder_6_1_choice := refinement_divisor_5_1 when refinement_remainder_6_1_is_not_less else 0;
-      refinement_remainder_7_0_is_not_less := (refinement_remainder_6_0 * 2) >= refinement_divisor_6_0;
-      refinement_remainder_7_0_choice := refinement_divisor_6_0 when refinement_remainder_7_0_is_not_less else 0;
-      refinement_remainder_7_1_is_not_less := (refinement_remainder_6_1 * 2) >= refinement_divisor_6_1;
-      refinement_remainder_7_1_choice := refinement_divisor_6_1 when refinement_remainder_7_1_is_not_less else 0;
+      refinement_tag_0_row_start_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
+      refinement_remainder_1_1_difference := (refinement_remainder_0_1 + 8192) - refinement_divisor_0_1;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
+      refinement_remainder_2_1_difference := ((refinement_remainder_1_1 * 2) + 8192) - refinement_divisor_1_1;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
+      refinement_remainder_3_1_difference := ((refinement_remainder_2_1 * 2) + 8192) - refinement_divisor_2_1;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 8192) - refinement_divisor_3_0;
+      refinement_remainder_4_1_difference := ((refinement_remainder_3_1 * 2) + 8192) - refinement_divisor_3_1;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 8192) - refinement_divisor_4_0;
+      refinement_remainder_5_1_difference := ((refinement_remainder_4_1 * 2) + 8192) - refinement_divisor_4_1;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
+      refinement_remainder_6_1_difference := ((refinement_remainder_5_1 * 2) + 8192) - refinement_divisor_5_1;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
+      refinement_remainder_7_1_difference := ((refinement_remainder_6_1 * 2) + 8192) - refinement_divisor_6_1;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_divisor_0_1_is_less := (-1) < refinement_difference_1;
+      refinement_divisor_0_1_choice := refinement_v_1 when refinement_divisor_0_1_is_less else refinement_u_1;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1078,6 +1003,10 @@ begin
       refinement_disparity_8_1 <= refinement_disparity_7_1;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
       refinement_disparity_9_1 <= refinement_disparity_8_1;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_10_1 <= refinement_disparity_9_1;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_disparity_11_1 <= refinement_disparity_10_1;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
@@ -1088,7 +1017,10 @@ begin
       refinement_passed_7_0 <= refinement_passed_6_0;
       refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
       refinement_tag_0_valid <= slice2_best_tag_valid;
+      refinement_tag_0_row_start <= (refinement_tag_0_row_start_difference / 8192) * 128;
       refinement_tag_0_output_column <= slice2_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
       refinement_tag_0_end_of_line <= slice2_best_tag_end_of_line;
@@ -1128,26 +1060,60 @@ begin
       refinement_tag_9_output_column <= refinement_tag_8_output_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 4096;
-      refinement_remainder_0_1 <= (refinement_remainder_0_1_choice_3 - refinement_remainder_0_1_choice_4) mod 4096;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice) mod 4096;
-      refinement_remainder_1_1 <= (refinement_remainder_0_1 - refinement_remainder_1_1_choice) mod 4096;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 2048) * 2) - refinement_remainder_2_0_choice) mod
-        4096;
-      refinement_remainder_2_1 <= (((refinement_remainder_1_1 mod 2048) * 2) - refinement_remainder_2_1_choice) mod
-        4096;
-      refinement_remainder_3_0 <= ((refinement_remainder_2_0 * 2) - refinement_remainder_3_0_choice) mod 4096;
-      refinement_remainder_3_1 <= ((refinement_remainder_2_1 * 2) - refinement_remainder_3_1_choice) mod 4096;
-      refinement_remainder_4_0 <= ((refinement_remainder_3_0 * 2) - refinement_remainder_4_0_choice) mod 4096;
-      refinement_remainder_4_1 <= ((refinement_remainder_3_1 * 2) - refinement_remainder_4_1_choice) mod 4096;
-      refinement_remainder_5_0 <= ((refinement_remainder_4_0 * 2) - refinement_remainder_5_0_choice) mod 4096;
-      refinement_remainder_5_1 <= ((refinement_remainder_4_1 * 2) - refinement_remainder_5_1_choice) mod 4096;
-      refinement_remainder_6_0 <= ((refinement_remainder_5_0 * 2) - refinement_remainder_6_0_choice) mod 4096;
-      refinement_remainder_6_1 <= ((refinement_remainder_5_1 * 2) - refinement_remainder_6_1_choice) mod 4096;
-      refinement_remainder_7_0 <= ((refinement_remainder_6_0 * 2) - refinement_remainder_7_0_choice) mod 4096;
-      refinement_remainder_7_1 <= ((refinement_remainder_6_1 * 2) - refinement_remainder_7_1_choice) mod 4096;
-      refinement_divisor_0_0 <= 1 when refinement_remainder_0_0_choice_3 = 0 else refinement_remainder_0_0_choice_3;
-      refinement_divisor_0_1 <= 1 when refinement_remainder_0_1_choice_3 = 0 else refinement_remainder_0_1_choice_3;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice2_best_cost_0_0;
+      refinement_cost_1 <= slice2_best_cost_1_0;
+      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
+      refinement_below_1 <= slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else slice2_best_below_1_0;
+      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
+      refinement_above_1 <= slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else slice2_best_above_1_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
+      refinement_u_1 <= (refinement_below_1 - refinement_cost_1) mod 4096;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
+      refinement_v_1 <= (refinement_above_1 - refinement_cost_1) mod 4096;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_difference_1 <= refinement_above_1 - refinement_below_1;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_0_1 <= magnitude(refinement_difference_1);
+      refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096 when
+        (refinement_tag_0_row_start_difference / 8192) = 1 else refinement_remainder_0_0;
+      refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 4096 when
+        (refinement_remainder_1_1_difference / 8192) = 1 else refinement_remainder_0_1;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
+        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
+      refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 4096 when
+        (refinement_remainder_2_1_difference / 8192) = 1 else (refinement_remainder_1_1 mod 2048) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
+        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
+      refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 4096 when
+        (refinement_remainder_3_1_difference / 8192) = 1 else (refinement_remainder_2_1 mod 2048) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
+        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
+      refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 4096 when
+        (refinement_remainder_4_1_difference / 8192) = 1 else (refinement_remainder_3_1 mod 2048) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
+        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
+      refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 4096 when
+        (refinement_remainder_5_1_difference / 8192) = 1 else (refinement_remainder_4_1 mod 2048) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
+        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
+      refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 4096 when
+        (refinement_remainder_6_1_difference / 8192) = 1 else (refinement_remainder_5_1 mod 2048) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
+        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
+      refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 4096 when
+        (refinement_remainder_7_1_difference / 8192) = 1 else (refinement_remainder_6_1 mod 2048) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
+      refinement_divisor_0_1 <= to_integer(((to_unsigned(refinement_divisor_0_1_choice, 12)) or
+        (to_unsigned(as_number(((refinement_u_1 = 0) and (refinement_v_1 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_1_1 <= refinement_divisor_0_1;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
@@ -1162,27 +1128,12 @@ begin
       refinement_divisor_6_1 <= refinement_divisor_5_1;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
       refinement_divisor_7_1 <= refinement_divisor_6_1;
-      refinement_quotient_1_1 <= refinement_remainder_1_1_is_not_less;
-      refinement_quotient_2_0 <= (as_number(raster_features_start_of_frame) * 2) +
-        as_number(refinement_remainder_2_0_is_not_less);
-      refinement_quotient_2_1 <= (as_number(refinement_quotient_1_1) * 2) +
-        as_number(refinement_remainder_2_1_is_not_less);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_is_not_less);
-      refinement_quotient_3_1 <= (refinement_quotient_2_1 * 2) + as_number(refinement_remainder_3_1_is_not_less);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_is_not_less);
-      refinement_quotient_4_1 <= (refinement_quotient_3_1 * 2) + as_number(refinement_remainder_4_1_is_not_less);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_is_not_less);
-      refinement_quotient_5_1 <= (refinement_quotient_4_1 * 2) + as_number(refinement_remainder_5_1_is_not_less);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_is_not_less);
-      refinement_quotient_6_1 <= (refinement_quotient_5_1 * 2) + as_number(refinement_remainder_6_1_is_not_less);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_is_not_less);
-      refinement_quotient_7_1 <= (refinement_quotient_6_1 * 2) + as_number(refinement_remainder_7_1_is_not_less);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(((refinement_remainder_7_0 * 2) >=
-        refinement_divisor_7_0));
-      refinement_quotient_8_1 <= (refinement_quotient_7_1 * 2) + as_number(((refinement_remainder_7_1 * 2) >=
-        refinement_divisor_7_1));
-      refinement_negative_0_0 <= refinement_remainder_0_0_is_less;
-      refinement_negative_0_1 <= refinement_remainder_0_1_is_less;
+      refinement_quotient_8_0 <= (((((8192 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 8192) +
+        ((other_1 / 2) * 2);
+      refinement_quotient_8_1 <= (((((8192 - refinement_divisor_7_1) / 2) + refinement_remainder_7_1) * 2) / 8192) +
+        ((other_0 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_0_1 <= refinement_divisor_0_1_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_1_1 <= refinement_negative_0_1;
       refinement_negative_2_0 <= refinement_negative_1_0;
@@ -1202,15 +1153,30 @@ begin
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       refinement_fraction_1 <= ((((refinement_fraction_1_choice / 8) + 1) mod 32) * 8) + refinement_fraction_1_choice_2;
       -- map
-      map_out_disparity_0 <= (((((refinement_disparity_9_0 + (refinement_fraction_0 / 16)) * 2) +
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
-      map_out_disparity_1 <= (((((refinement_disparity_9_1 + (refinement_fraction_1 / 16)) * 2) +
+      map_out_disparity_1 <= (((((refinement_disparity_11_1 + (refinement_fraction_1 / 16)) * 2) +
         ((refinement_fraction_1 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_1 mod 8);
-      map_out_passed_0 <= refinement_passed_9_0;
-      map_out_valid <= refinement_tag_9_valid and refinement_tag_9_output_column;
-      map_out_start_of_frame <= refinement_tag_9_start_of_frame and refinement_tag_9_valid and
-        refinement_tag_9_output_column;
-      map_out_end_of_line <= refinement_tag_9_end_of_line and refinement_tag_9_valid and refinement_tag_9_output_column;
+      map_out_passed_0 <= refinement_passed_11_0;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      -- other
+      other_0 <= ((refinement_remainder_7_1_difference / 8192) * 2) + ((other_2 / 4) * 4);
+      other_1 <= ((refinement_remainder_7_0_difference / 8192) * 2) + ((other_3 / 4) * 4);
+      other_2 <= ((refinement_remainder_6_1_difference / 8192) * 4) + ((other_4 / 8) * 8);
+      other_3 <= ((refinement_remainder_6_0_difference / 8192) * 4) + ((other_5 / 8) * 8);
+      other_4 <= ((refinement_remainder_5_1_difference / 8192) * 8) + ((other_6 / 16) * 16);
+      other_5 <= ((refinement_remainder_5_0_difference / 8192) * 8) + ((other_7 / 16) * 16);
+      other_6 <= ((refinement_remainder_4_1_difference / 8192) * 16) + ((other_8 / 32) * 32);
+      other_7 <= ((refinement_remainder_4_0_difference / 8192) * 16) + ((other_9 / 32) * 32);
+      other_8 <= ((refinement_remainder_3_1_difference / 8192) * 32) + ((other_10 / 64) * 64);
+      other_9 <= ((refinement_remainder_3_0_difference / 8192) * 32) + ((other_11 / 64) * 64);
+      other_10 <= ((refinement_remainder_2_1_difference / 8192) * 64) + ((other_12 / 128) * 128);
+      other_11 <= ((refinement_remainder_2_0_difference / 8192) * 64) + ((refinement_tag_0_row_start / 128) * 128);
+      other_12 <= (refinement_remainder_1_1_difference / 8192) * 128;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;
@@ -1319,6 +1285,14 @@ begin
         refinement_tag_9_output_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 26,
+      latency_clocks => 28,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"961fc914",
+      core_id => x"fdfefebe",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 16,
       output_width_px => 24,
-      latency_clocks => 26,
+      latency_clocks => 28,
       flush_groups => 33,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_texture_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 21;
+    latency_clocks : positive := 23;
     flush_groups : positive := 65;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_texture_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_texture_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_texture_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 21 report "stereo_core_tiny_texture_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 21" severity failure;
+  assert latency_clocks = 23 report "stereo_core_tiny_texture_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 23" severity failure;
   assert flush_groups = 65 report "stereo_core_tiny_texture_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 65" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_texture_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_texture_p4 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_texture_p4 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -110,7 +108,6 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal transform_right_column_0, transform_right_column_1, transform_right_column_2 : natural range 0 to 255;
   signal transform_right_column_3, transform_right_column_4, transform_right_column_5 : natural range 0 to 255;
   signal transform_left_filter_feature_1, transform_left_filter_feature_2 : natural range 0 to 255;
-  signal transform_left_filter_feature_3, transform_right_filter_feature_0 : natural range 0 to 255;
   signal transform_right_filter_feature_1, transform_right_filter_feature_2 : natural range 0 to 255;
   signal transform_right_filter_feature_3 : natural range 0 to 255;
   signal transform_valid, transform_counter_next_frame, transform_read_row_inside_0 : boolean;
@@ -120,9 +117,11 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal transform_ready_column_inside_0, transform_ready_column_inside_2, transform_ready_start_of_frame : boolean;
   signal transform_ready_valid, transform_columns_row_inside_0, transform_columns_row_inside_1 : boolean;
   signal transform_columns_row_inside_5, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 7;
@@ -142,19 +141,25 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal transform_right_filter_column_1_2, transform_right_filter_column_1_3 : natural range 0 to 1020;
   signal transform_right_filter_column_2_0, transform_right_filter_column_2_1 : natural range 0 to 1020;
   signal transform_right_filter_column_2_2, transform_right_filter_column_2_3 : natural range 0 to 1020;
-  signal transform_left_filter_feature_0 : natural range 0 to 63;
+  signal transform_left_filter_slope_0, transform_left_filter_slope_1 : integer range -1020 to 1020;
+  signal transform_left_filter_slope_2, transform_left_filter_slope_3 : integer range -1020 to 1020;
+  signal transform_right_filter_slope_0, transform_right_filter_slope_1 : integer range -1020 to 1020;
+  signal transform_right_filter_slope_2, transform_right_filter_slope_3 : integer range -1020 to 1020;
+  signal transform_left_filter_feature_0 : natural range 0 to 127;
+  signal transform_left_filter_feature_3, transform_right_filter_feature_0 : natural range 0 to 65535;
   -- raster
-  signal raster_features_search_0 : natural range 0 to 63;
-  signal raster_features_search_1, raster_features_search_2, raster_features_search_3 : natural range 0 to 255;
-  signal raster_features_reference_0, raster_features_reference_1, raster_features_reference_2 : natural range 0 to 255;
-  signal raster_features_reference_3 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_search_0, raster_features_reference_3 : natural range 0 to 127;
+  signal raster_features_search_1, raster_features_search_2, raster_features_reference_1 : natural range 0 to 255;
+  signal raster_features_reference_2 : natural range 0 to 255;
+  signal raster_features_search_3, raster_features_reference_0 : natural range 0 to 65535;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
-  signal delay_ahead_0 : natural range 0 to 63;
-  signal delay_ahead_1, delay_ahead_2, delay_ahead_3 : natural range 0 to 255;
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_ahead_1, delay_ahead_2 : natural range 0 to 255;
+  signal delay_ahead_3 : natural range 0 to 65535;
   signal delay_delayed_0 : unsigned(27 downto 0);
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_5, delay_tag_valid, delay_tag_border_column : boolean;
@@ -162,22 +167,21 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
   signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(6 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0, rows_search_1 : natural range 0 to 63;
-  signal rows_search_5 : natural range 0 to 63;
-  signal rows_search_rows_read_newest_1, rows_search_rows_read_newest_2 : natural range 0 to 255;
-  signal rows_search_rows_read_newest_3, rows_search_rows_ready_newest_1 : natural range 0 to 255;
-  signal rows_search_rows_ready_newest_2, rows_search_rows_ready_newest_3 : natural range 0 to 255;
-  signal rows_search_rows_write_words_1 : natural range 0 to 255;
-  signal rows_search_rows_ready_words_0, rows_reference_rows_ready_words_0 : natural range 0 to 268435455;
-  signal rows_reference_rows_write_words_0 : natural range 0 to 268435455;
-  signal rows_search_rows_ready_words_1, rows_reference_rows_read_newest_0 : natural range 0 to 127;
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_1 : natural range 0 to 127;
+  signal rows_search_rows_ready_newest_0, rows_reference_rows_read_newest_0 : natural range 0 to 127;
   signal rows_reference_rows_read_newest_1, rows_reference_rows_read_newest_2 : natural range 0 to 127;
   signal rows_reference_rows_read_newest_3, rows_reference_rows_ready_words_1 : natural range 0 to 127;
   signal rows_reference_rows_ready_newest_0, rows_reference_rows_ready_newest_1 : natural range 0 to 127;
   signal rows_reference_rows_ready_newest_2, rows_reference_rows_ready_newest_3 : natural range 0 to 127;
-  signal rows_reference_rows_write_words_1, rows_search_0, rows_search_2, rows_search_3 : natural range 0 to 127;
-  signal rows_search_4, rows_reference_0, rows_reference_1, rows_reference_2, rows_reference_3 : natural range 0 to 127;
-  signal rows_reference_4, rows_reference_5 : natural range 0 to 127;
+  signal rows_reference_rows_write_words_1, rows_search_0, rows_search_1, rows_search_2 : natural range 0 to 127;
+  signal rows_search_3, rows_search_4, rows_search_5, rows_reference_0, rows_reference_1 : natural range 0 to 127;
+  signal rows_reference_2, rows_reference_3, rows_reference_4, rows_reference_5 : natural range 0 to 127;
+  signal rows_search_rows_read_newest_1, rows_search_rows_read_newest_2 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest_1, rows_search_rows_ready_newest_2 : natural range 0 to 255;
+  signal rows_search_rows_read_newest_3, rows_search_rows_ready_newest_3 : natural range 0 to 65535;
+  signal rows_search_rows_write_words_1 : natural range 0 to 65535;
+  signal rows_search_rows_ready_words_0, rows_reference_rows_ready_words_0 : natural range 0 to 268435455;
+  signal rows_reference_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_search_rows_write_words_0 : natural range 0 to 536870911;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_inside_5, rows_read_tag_valid : boolean;
@@ -189,47 +193,42 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 127;
   signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 127;
   signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 127;
   signal slice0shift_search_4_0, slice0shift_search_4_1, slice0shift_search_4_2 : natural range 0 to 127;
+  signal slice0shift_search_5_0, slice0shift_search_5_1, slice0shift_search_5_2 : natural range 0 to 127;
   signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 127;
   signal slice0shift_reference_3, slice0shift_reference_4, slice0shift_reference_5 : natural range 0 to 127;
-  signal slice0shift_search_out_0, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 127;
-  signal slice0shift_search_out_4 : natural range 0 to 127;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 63;
-  signal slice0shift_search_5_0, slice0shift_search_5_1, slice0shift_search_5_2 : natural range 0 to 63;
-  signal slice0shift_search_out_1, slice0shift_search_out_5 : natural range 0 to 63;
+  signal slice0shift_search_out_0, slice0shift_search_out_1, slice0shift_search_out_2 : natural range 0 to 127;
+  signal slice0shift_search_out_3, slice0shift_search_out_4, slice0shift_search_out_5 : natural range 0 to 127;
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_output_column : boolean;
   signal slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -127 to 127;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -127 to 127;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -127 to 127;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -127 to 127;
   signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -127 to 127;
-  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -127 to 63;
-  signal slice0cost_difference_5_0, slice0cost_difference_5_1, slice0cost_difference_5_2 : integer range -127 to 63;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_1_0, slice0cost_reverse_1_1, slice0cost_reverse_1_2 : natural range 0 to 255;
+  signal slice0cost_difference_5_0, slice0cost_difference_5_1, slice0cost_difference_5_2 : integer range -127 to 127;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2 : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_1_0 : natural range 0 to 255;
-  signal slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_column_0_0 : natural range 0 to 255;
+  signal slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_single_0_0 : natural range 0 to 255;
+  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_2_0 : natural range 0 to 255;
+  signal slice0cost_single_2_1, slice0cost_single_2_2, slice0cost_single_3_0 : natural range 0 to 255;
+  signal slice0cost_single_3_1, slice0cost_single_3_2, slice0cost_single_5_0 : natural range 0 to 255;
+  signal slice0cost_single_5_1, slice0cost_single_5_2, slice0cost_column_0_0 : natural range 0 to 255;
   signal slice0cost_column_0_1, slice0cost_column_0_2, slice0cost_column_1_0 : natural range 0 to 255;
   signal slice0cost_column_1_1, slice0cost_column_1_2, slice0cost_column_2_0 : natural range 0 to 255;
   signal slice0cost_column_2_1, slice0cost_column_2_2, slice0cost_column_3_0 : natural range 0 to 255;
   signal slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 255;
-  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
-  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_2_0, slice0cost_negative_2_1, slice0cost_negative_2_2 : boolean;
-  signal slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2, slice0cost_negative_5_0 : boolean;
-  signal slice0cost_negative_5_1, slice0cost_negative_5_2, slice0cost_pair_tag_valid : boolean;
-  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 127;
-  signal slice0cost_single_2_0, slice0cost_single_2_1, slice0cost_single_2_2 : natural range 0 to 127;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 127;
-  signal slice0cost_single_5_0, slice0cost_single_5_1, slice0cost_single_5_2 : natural range 0 to 126;
   -- slice0window
   signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 255;
   signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 255;
@@ -247,62 +246,64 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 765;
   signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 765;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1, slice0winner1_best_cost_1_0 : natural range 0 to 765;
-  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 765;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 765;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
-  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0, slice0winner2_best_cost_2_0 : natural range 0 to 765;
-  signal slice0winner2_best_cost_3_0 : natural range 0 to 765;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 765;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 765;
+  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 765;
+  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 765;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 765;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 765;
+  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 765;
+  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 765;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
+  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 1023;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 1023;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 765;
-  signal slice0_best_cost_3_0 : natural range 0 to 765;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 1023;
+  signal slice0_best_cost_3_0 : natural range 0 to 1023;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 7;
   signal slice0_best_index_3_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 127;
   signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 127;
   signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 127;
   signal slice1shift_search_4_0, slice1shift_search_4_1, slice1shift_search_4_2 : natural range 0 to 127;
+  signal slice1shift_search_5_0, slice1shift_search_5_1, slice1shift_search_5_2 : natural range 0 to 127;
   signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 127;
   signal slice1shift_reference_3, slice1shift_reference_4, slice1shift_reference_5 : natural range 0 to 127;
-  signal slice1shift_search_out_0, slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 127;
-  signal slice1shift_search_out_4 : natural range 0 to 127;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 63;
-  signal slice1shift_search_5_0, slice1shift_search_5_1, slice1shift_search_5_2 : natural range 0 to 63;
-  signal slice1shift_search_out_1, slice1shift_search_out_5 : natural range 0 to 63;
+  signal slice1shift_search_out_0, slice1shift_search_out_1, slice1shift_search_out_2 : natural range 0 to 127;
+  signal slice1shift_search_out_3, slice1shift_search_out_4, slice1shift_search_out_5 : natural range 0 to 127;
   -- slice1cost
   signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 127;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -127 to 127;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -127 to 127;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -127 to 127;
   signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -127 to 127;
-  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -127 to 63;
-  signal slice1cost_difference_5_0, slice1cost_difference_5_1, slice1cost_difference_5_2 : integer range -127 to 63;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_1_0, slice1cost_reverse_1_1, slice1cost_reverse_1_2 : natural range 0 to 255;
+  signal slice1cost_difference_5_0, slice1cost_difference_5_1, slice1cost_difference_5_2 : integer range -127 to 127;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_1_0 : natural range 0 to 255;
-  signal slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_column_0_0 : natural range 0 to 255;
+  signal slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_single_0_0 : natural range 0 to 255;
+  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_2_0 : natural range 0 to 255;
+  signal slice1cost_single_2_1, slice1cost_single_2_2, slice1cost_single_3_0 : natural range 0 to 255;
+  signal slice1cost_single_3_1, slice1cost_single_3_2, slice1cost_single_5_0 : natural range 0 to 255;
+  signal slice1cost_single_5_1, slice1cost_single_5_2, slice1cost_column_0_0 : natural range 0 to 255;
   signal slice1cost_column_0_1, slice1cost_column_0_2, slice1cost_column_1_0 : natural range 0 to 255;
   signal slice1cost_column_1_1, slice1cost_column_1_2, slice1cost_column_2_0 : natural range 0 to 255;
   signal slice1cost_column_2_1, slice1cost_column_2_2, slice1cost_column_3_0 : natural range 0 to 255;
   signal slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 255;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 127;
-  signal slice1cost_single_2_0, slice1cost_single_2_1, slice1cost_single_2_2 : natural range 0 to 127;
-  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 127;
-  signal slice1cost_single_5_0, slice1cost_single_5_1, slice1cost_single_5_2 : natural range 0 to 126;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_2_0 : boolean;
-  signal slice1cost_negative_2_1, slice1cost_negative_2_2, slice1cost_negative_3_0, slice1cost_negative_3_1 : boolean;
-  signal slice1cost_negative_3_2, slice1cost_negative_5_0, slice1cost_negative_5_1, slice1cost_negative_5_2 : boolean;
-  signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_1_0 : boolean;
+  signal slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_tag_border_column : boolean;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 255;
   signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 255;
@@ -317,47 +318,49 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 765;
   signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 765;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1, slice1winner1_best_cost_1_0 : natural range 0 to 765;
-  signal slice1winner1_best_cost_1_1, slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 765;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 765;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
-  signal slice1winner1_best_index_3_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0, slice1winner2_best_cost_2_0 : natural range 0 to 765;
-  signal slice1winner2_best_cost_3_0 : natural range 0 to 765;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 765;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 765;
+  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 765;
+  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 765;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 765;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 765;
+  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 765;
+  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 765;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
+  signal slice1winner1_pair_index_3_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 1023;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 1023;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 765;
-  signal slice1_best_cost_3_0 : natural range 0 to 765;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 1023;
+  signal slice1_best_cost_3_0 : natural range 0 to 1023;
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 7;
   signal slice1_best_index_3_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_2_0 : natural range 0 to 127;
-  signal slice2shift_search_2_1, slice2shift_search_3_0, slice2shift_search_3_1 : natural range 0 to 127;
-  signal slice2shift_search_4_0, slice2shift_search_4_1, slice2shift_reference_0 : natural range 0 to 127;
-  signal slice2shift_reference_1, slice2shift_reference_2, slice2shift_reference_3 : natural range 0 to 127;
-  signal slice2shift_reference_4, slice2shift_reference_5 : natural range 0 to 127;
-  signal slice2shift_search_1_0, slice2shift_search_1_1, slice2shift_search_5_0 : natural range 0 to 63;
-  signal slice2shift_search_5_1 : natural range 0 to 63;
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 127;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 127;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_search_4_0 : natural range 0 to 127;
+  signal slice2shift_search_4_1, slice2shift_search_5_0, slice2shift_search_5_1 : natural range 0 to 127;
+  signal slice2shift_reference_0, slice2shift_reference_1, slice2shift_reference_2 : natural range 0 to 127;
+  signal slice2shift_reference_3, slice2shift_reference_4, slice2shift_reference_5 : natural range 0 to 127;
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_2_0 : integer range -127 to 127;
-  signal slice2cost_difference_2_1, slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -127 to 127;
-  signal slice2cost_difference_4_0, slice2cost_difference_4_1 : integer range -127 to 127;
-  signal slice2cost_difference_1_0, slice2cost_difference_1_1, slice2cost_difference_5_0 : integer range -127 to 63;
-  signal slice2cost_difference_5_1 : integer range -127 to 63;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_1_0 : natural range 0 to 255;
-  signal slice2cost_reverse_1_1, slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0 : natural range 0 to 255;
-  signal slice2cost_pair_1_1, slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 255;
-  signal slice2cost_column_1_0, slice2cost_column_1_1, slice2cost_column_2_0 : natural range 0 to 255;
-  signal slice2cost_column_2_1, slice2cost_column_3_0, slice2cost_column_3_1 : natural range 0 to 255;
-  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_2_0 : natural range 0 to 127;
-  signal slice2cost_single_2_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 127;
-  signal slice2cost_single_5_0, slice2cost_single_5_1 : natural range 0 to 126;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_2_0, slice2cost_negative_2_1 : boolean;
-  signal slice2cost_negative_3_0, slice2cost_negative_3_1, slice2cost_negative_5_0, slice2cost_negative_5_1 : boolean;
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -127 to 127;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -127 to 127;
+  signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_4_0 : integer range -127 to 127;
+  signal slice2cost_difference_4_1, slice2cost_difference_5_0, slice2cost_difference_5_1 : integer range -127 to 127;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0, slice2cost_pair_1_1 : natural range 0 to 255;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_2_0 : natural range 0 to 255;
+  signal slice2cost_single_2_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
+  signal slice2cost_single_5_0, slice2cost_single_5_1, slice2cost_column_0_0 : natural range 0 to 255;
+  signal slice2cost_column_0_1, slice2cost_column_1_0, slice2cost_column_1_1 : natural range 0 to 255;
+  signal slice2cost_column_2_0, slice2cost_column_2_1, slice2cost_column_3_0 : natural range 0 to 255;
+  signal slice2cost_column_3_1 : natural range 0 to 255;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 255;
   signal slice2window_partial_1_0_1, slice2window_partial_2_0_0, slice2window_partial_2_0_1 : natural range 0 to 255;
@@ -378,6 +381,11 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal slice2winner2_best_cost_3_0 : natural range 0 to 765;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0, slice2winner2_best_index_2_0 : boolean;
   signal slice2winner2_best_index_3_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0, slice2winner3_best_cost_2_0 : natural range 0 to 765;
+  signal slice2winner3_best_cost_3_0 : natural range 0 to 765;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0, slice2winner3_best_index_2_0 : boolean;
+  signal slice2winner3_best_index_3_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 7;
   signal slice2_best_index_3_0 : natural range 0 to 7;
@@ -389,16 +397,15 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal texture_passes_1_1, texture_passes_1_2, texture_passes_1_3, texture_passes_2_0, texture_passes_2_1 : boolean;
   signal texture_passes_2_2, texture_passes_2_3, texture_passes_3_0, texture_passes_3_1, texture_passes_3_2 : boolean;
   signal texture_passes_3_3, texture_passes_4_0, texture_passes_4_1, texture_passes_4_2, texture_passes_4_3 : boolean;
+  signal texture_passes_5_0, texture_passes_5_1, texture_passes_5_2, texture_passes_5_3 : boolean;
   -- texturecost
   signal texturecost_difference_0_0, texturecost_difference_1_0, texturecost_difference_2_0 : integer range -127 to 31;
   signal texturecost_difference_3_0, texturecost_difference_4_0, texturecost_difference_5_0 : integer range -127 to 31;
-  signal texturecost_reverse_0_0, texturecost_reverse_1_0, texturecost_pair_0_0 : natural range 0 to 255;
-  signal texturecost_pair_1_0, texturecost_column_0_0, texturecost_column_1_0 : natural range 0 to 255;
-  signal texturecost_column_2_0, texturecost_column_3_0 : natural range 0 to 255;
-  signal texturecost_single_0_0, texturecost_single_2_0, texturecost_single_3_0 : natural range 0 to 126;
-  signal texturecost_single_5_0 : natural range 0 to 126;
-  signal texturecost_negative_0_0, texturecost_negative_2_0, texturecost_negative_3_0 : boolean;
-  signal texturecost_negative_5_0 : boolean;
+  signal texturecost_pair_0_0, texturecost_pair_1_0, texturecost_single_0_0 : natural range 0 to 255;
+  signal texturecost_single_2_0, texturecost_single_3_0, texturecost_single_5_0 : natural range 0 to 255;
+  signal texturecost_column_0_0, texturecost_column_1_0, texturecost_column_2_0 : natural range 0 to 255;
+  signal texturecost_column_3_0 : natural range 0 to 255;
+  signal texturecost_negative_0_0, texturecost_negative_1_0 : boolean;
   -- texturewindow
   signal texturewindow_partial_0_0_0, texturewindow_partial_1_0_0, texturewindow_partial_2_0_0 : natural range 0 to 255;
   signal texturewindow_partial_3_0_0 : natural range 0 to 255;
@@ -422,7 +429,7 @@ begin
   in_right_pixel <= unsigned(right_pixel);
   in_left_pixel <= unsigned(left_pixel);
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_3_0, 8) & to_unsigned(slice2_best_index_2_0, 8) & to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_4_3), 1) & to_unsigned(as_number(texture_passes_4_2), 1) & to_unsigned(as_number(texture_passes_4_1), 1) & to_unsigned(as_number(texture_passes_4_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_5_3), 1) & to_unsigned(as_number(texture_passes_5_2), 1) & to_unsigned(as_number(texture_passes_5_1), 1) & to_unsigned(as_number(texture_passes_5_0), 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
@@ -491,7 +498,7 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned((raster_features_reference_3 mod 128), 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
+  delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned(raster_features_reference_3, 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
   delay_delayed_0_memory : entity work.line_memory
     generic map (depth => 8, width => 28)
     port map (
@@ -502,72 +509,49 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
     variable transform_counter_group_is_equal_2, transform_read_row_inside_0_is_equal : boolean;
-    variable transform_read_row_inside_0_value, transform_read_row_inside_0_choice : boolean;
-    variable transform_read_column_inside_0_differs, transform_left_filter_feature_0_all : boolean;
-    variable transform_left_filter_feature_0_is_less, transform_left_filter_feature_1_is_less : boolean;
-    variable transform_left_filter_feature_2_is_less, transform_left_filter_feature_3_is_less : boolean;
-    variable transform_right_filter_feature_0_is_less, transform_right_filter_feature_1_is_less : boolean;
-    variable transform_right_filter_feature_2_is_less, transform_right_filter_feature_3_is_less : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_is_equal_2, transform_counter_next_frame_all_2 : boolean;
+    variable transform_read_column_inside_0_differs, transform_counter_next_frame_all : boolean;
     variable transform_counter_next_frame_choice, transform_left_filter_column_0_0_choice_3 : boolean;
     variable transform_left_filter_column_0_1_choice_3, transform_left_filter_column_0_2_choice_3 : boolean;
     variable transform_left_filter_column_0_3_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
     variable transform_right_filter_column_0_1_choice_3, transform_right_filter_column_0_2_choice_3 : boolean;
-    variable transform_right_filter_column_0_3_choice_3, raster_features_start_of_frame_all : boolean;
-    variable raster_features_start_of_frame_choice, delay_row_inside_0_is_equal, delay_row_inside_0_value : boolean;
-    variable delay_row_inside_0_choice, slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less : boolean;
+    variable transform_right_filter_column_0_3_choice_3, raster_place_group_is_equal, raster_place_group_all : boolean;
+    variable raster_place_group_is_equal_2, raster_place_next_frame_all, raster_place_next_frame_choice : boolean;
+    variable delay_row_inside_0_is_equal, slice0cost_pair_0_0_is_less, slice0cost_pair_0_1_is_less : boolean;
     variable slice0cost_pair_0_2_is_less, slice0cost_pair_1_0_is_less, slice0cost_pair_1_1_is_less : boolean;
-    variable slice0cost_pair_1_2_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_2_0_is_less : boolean;
-    variable slice0winner1_best_cost_3_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_2_0_is_less : boolean;
-    variable slice0winner2_best_cost_3_0_is_less, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
+    variable slice0cost_pair_1_2_is_less, slice0cost_single_0_0_is_less, slice0cost_single_0_1_is_less : boolean;
+    variable slice0cost_single_0_2_is_less, slice0cost_single_5_0_is_less, slice0cost_single_5_1_is_less : boolean;
+    variable slice0cost_single_5_2_is_less, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_2_0_is_less : boolean;
+    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_2_0_is_less : boolean;
+    variable slice0winner1_of_four_3_0_is_less, slice1cost_pair_0_0_is_less, slice1cost_pair_0_1_is_less : boolean;
     variable slice1cost_pair_0_2_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
-    variable slice1cost_pair_1_2_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_0_is_less, slice1winner1_best_cost_2_0_is_less : boolean;
-    variable slice1winner1_best_cost_3_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_0_is_less, slice1winner2_best_cost_2_0_is_less : boolean;
-    variable slice1winner2_best_cost_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice1cost_pair_1_2_is_less, slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less : boolean;
+    variable slice1cost_single_0_2_is_less, slice1cost_single_5_0_is_less, slice1cost_single_5_1_is_less : boolean;
+    variable slice1cost_single_5_2_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
+    variable slice1winner1_of_pair_3_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1winner1_of_four_2_0_is_less : boolean;
+    variable slice1winner1_of_four_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
     variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_pair_0_0_is_less : boolean;
     variable slice2cost_pair_0_1_is_less, slice2cost_pair_1_0_is_less, slice2cost_pair_1_1_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
-    variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_3_0_is_less : boolean;
-    variable texturecost_pair_0_0_is_less, texturecost_pair_1_0_is_less : boolean;
+    variable slice2cost_single_0_0_is_less, slice2cost_single_0_1_is_less, slice2cost_single_5_0_is_less : boolean;
+    variable slice2cost_single_5_1_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
+    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_2_0_is_less : boolean;
+    variable slice2winner1_best_cost_3_0_is_less, texturecost_pair_0_0_is_less, texturecost_pair_1_0_is_less : boolean;
+    variable texturecost_single_0_0_is_less, texturecost_single_5_0_is_less : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 7;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
-    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_1_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_1_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_2_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_2_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_3_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_3_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_1_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_1_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_2_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_2_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_3_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_3_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_choice_3 : natural range 0 to 63;
-    variable transform_left_filter_feature_1_choice_2 : natural range 0 to 255;
-    variable transform_left_filter_feature_1_choice_3 : natural range 0 to 255;
-    variable transform_left_filter_feature_2_choice_2 : natural range 0 to 255;
-    variable transform_left_filter_feature_2_choice_3 : natural range 0 to 255;
-    variable transform_left_filter_feature_3_choice_2 : natural range 0 to 255;
-    variable transform_left_filter_feature_3_choice_3 : natural range 0 to 255;
-    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 255;
-    variable transform_right_filter_feature_0_choice_3 : natural range 0 to 255;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_left_filter_feature_1_choice, transform_left_filter_feature_1_choice_2 : natural range 0 to 255;
+    variable transform_left_filter_feature_2_choice, transform_left_filter_feature_2_choice_2 : natural range 0 to 255;
+    variable transform_right_filter_feature_1_choice : natural range 0 to 255;
     variable transform_right_filter_feature_1_choice_2 : natural range 0 to 255;
-    variable transform_right_filter_feature_1_choice_3 : natural range 0 to 255;
+    variable transform_right_filter_feature_2_choice : natural range 0 to 255;
     variable transform_right_filter_feature_2_choice_2 : natural range 0 to 255;
-    variable transform_right_filter_feature_2_choice_3 : natural range 0 to 255;
+    variable transform_right_filter_feature_3_choice : natural range 0 to 255;
     variable transform_right_filter_feature_3_choice_2 : natural range 0 to 255;
-    variable transform_right_filter_feature_3_choice_3 : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_left_filter_column_0_1_choice : natural range 0 to 255;
@@ -586,18 +570,26 @@ begin
     variable transform_right_filter_column_0_3_choice_2, slice0cost_pair_0_0_choice : natural range 0 to 255;
     variable slice0cost_pair_0_1_choice, slice0cost_pair_0_2_choice : natural range 0 to 255;
     variable slice0cost_pair_1_0_choice, slice0cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice0cost_pair_1_2_choice, slice0cost_single_0_0_choice : natural range 0 to 255;
+    variable slice0cost_single_0_1_choice, slice0cost_single_0_2_choice : natural range 0 to 255;
+    variable slice0cost_single_5_0_choice, slice0cost_single_5_1_choice : natural range 0 to 255;
+    variable slice0cost_single_5_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
     variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
     variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice2cost_pair_0_0_choice : natural range 0 to 255;
+    variable slice1cost_pair_1_2_choice, slice1cost_single_0_0_choice : natural range 0 to 255;
+    variable slice1cost_single_0_1_choice, slice1cost_single_0_2_choice : natural range 0 to 255;
+    variable slice1cost_single_5_0_choice, slice1cost_single_5_1_choice : natural range 0 to 255;
+    variable slice1cost_single_5_2_choice, slice2cost_pair_0_0_choice : natural range 0 to 255;
     variable slice2cost_pair_0_1_choice, slice2cost_pair_1_0_choice : natural range 0 to 255;
-    variable slice2cost_pair_1_1_choice, texturecost_pair_0_0_choice : natural range 0 to 255;
-    variable texturecost_pair_1_0_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_0_folded_value, slice0cost_pair_1_1_folded_value : natural range 0 to 127;
-    variable slice0cost_pair_1_2_folded_value, slice1cost_pair_1_0_folded_value : natural range 0 to 127;
-    variable slice1cost_pair_1_1_folded_value, slice1cost_pair_1_2_folded_value : natural range 0 to 127;
-    variable slice2cost_pair_1_0_folded_value, slice2cost_pair_1_1_folded_value : natural range 0 to 127;
-    variable texturecost_pair_1_0_folded_value : natural range 0 to 126;
+    variable slice2cost_pair_1_1_choice, slice2cost_single_0_0_choice : natural range 0 to 255;
+    variable slice2cost_single_0_1_choice, slice2cost_single_5_0_choice : natural range 0 to 255;
+    variable slice2cost_single_5_1_choice, texturecost_pair_0_0_choice : natural range 0 to 255;
+    variable texturecost_pair_1_0_choice, texturecost_single_0_0_choice : natural range 0 to 255;
+    variable texturecost_single_5_0_choice : natural range 0 to 255;
+    variable transform_left_filter_feature_3_choice : natural range 0 to 65535;
+    variable transform_left_filter_feature_3_choice_2 : natural range 0 to 65535;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 65535;
+    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 65535;
   begin
     if rising_edge(clock) then
       -- transform
@@ -605,85 +597,44 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 2);
       transform_counter_group_choice := 3 when transform_counter_group_all else 0;
       transform_counter_group_is_equal_2 := transform_counter_group = 3;
-      transform_counter_group_choice_2 := 1 when raster_features_start_of_frame and transform_counter_group_is_equal_2
+      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and transform_counter_group_is_equal_2
         else (transform_counter_group + 1) mod 8;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 4) and
         transform_counter_group_is_equal and in_valid else transform_counter_group;
       transform_read_row_inside_0_is_equal := (transform_counter_group / 2) = 1;
-      transform_read_row_inside_0_value := ((transform_counter_group / 2) mod 2) = 1;
-      transform_read_row_inside_0_choice := not transform_read_row_inside_0_value when (transform_counter_group / 4) =
-        1 else transform_read_row_inside_0_value;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
-        transform_filtering_column_inside_0;
-      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
-      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
-      transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference mod 64;
-      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
-        transform_left_filter_feature_0_choice < 31 else 31;
-      transform_left_filter_feature_1_difference := transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
-      transform_left_filter_feature_1_is_less := transform_left_filter_feature_1_difference < (-31);
-      transform_left_filter_feature_1_choice := -31 when transform_left_filter_feature_1_is_less else
-        transform_left_filter_feature_1_difference;
-      transform_left_filter_feature_1_choice_2 := 225 when transform_left_filter_feature_1_is_less else
-        transform_left_filter_feature_1_difference mod 256;
-      transform_left_filter_feature_1_choice_3 := transform_left_filter_feature_1_choice_2 when
-        transform_left_filter_feature_1_choice < 31 else 31;
-      transform_left_filter_feature_2_difference := transform_left_filter_column_0_2 - transform_left_filter_column_2_2;
-      transform_left_filter_feature_2_is_less := transform_left_filter_feature_2_difference < (-31);
-      transform_left_filter_feature_2_choice := -31 when transform_left_filter_feature_2_is_less else
-        transform_left_filter_feature_2_difference;
-      transform_left_filter_feature_2_choice_2 := 225 when transform_left_filter_feature_2_is_less else
-        transform_left_filter_feature_2_difference mod 256;
-      transform_left_filter_feature_2_choice_3 := transform_left_filter_feature_2_choice_2 when
-        transform_left_filter_feature_2_choice < 31 else 31;
-      transform_left_filter_feature_3_difference := transform_left_filter_column_0_3 - transform_left_filter_column_2_3;
-      transform_left_filter_feature_3_is_less := transform_left_filter_feature_3_difference < (-31);
-      transform_left_filter_feature_3_choice := -31 when transform_left_filter_feature_3_is_less else
-        transform_left_filter_feature_3_difference;
-      transform_left_filter_feature_3_choice_2 := 225 when transform_left_filter_feature_3_is_less else
-        transform_left_filter_feature_3_difference mod 256;
-      transform_left_filter_feature_3_choice_3 := transform_left_filter_feature_3_choice_2 when
-        transform_left_filter_feature_3_choice < 31 else 31;
-      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
-        transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
-      transform_right_filter_feature_0_choice_2 := 225 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference mod 256;
-      transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
-        transform_right_filter_feature_0_choice < 31 else 31;
-      transform_right_filter_feature_1_difference := transform_right_filter_column_0_1 -
-        transform_right_filter_column_2_1;
-      transform_right_filter_feature_1_is_less := transform_right_filter_feature_1_difference < (-31);
-      transform_right_filter_feature_1_choice := -31 when transform_right_filter_feature_1_is_less else
-        transform_right_filter_feature_1_difference;
-      transform_right_filter_feature_1_choice_2 := 225 when transform_right_filter_feature_1_is_less else
-        transform_right_filter_feature_1_difference mod 256;
-      transform_right_filter_feature_1_choice_3 := transform_right_filter_feature_1_choice_2 when
-        transform_right_filter_feature_1_choice < 31 else 31;
-      transform_right_filter_feature_2_difference := transform_right_filter_column_0_2 -
-        transform_right_filter_column_2_2;
-      transform_right_filter_feature_2_is_less := transform_right_filter_feature_2_difference < (-31);
-      transform_right_filter_feature_2_choice := -31 when transform_right_filter_feature_2_is_less else
-        transform_right_filter_feature_2_difference;
-      transform_right_filter_feature_2_choice_2 := 225 when transform_right_filter_feature_2_is_less else
-        transform_right_filter_feature_2_difference mod 256;
-      transform_right_filter_feature_2_choice_3 := transform_right_filter_feature_2_choice_2 when
-        transform_right_filter_feature_2_choice < 31 else 31;
-      transform_right_filter_feature_3_difference := transform_right_filter_column_0_3 -
-        transform_right_filter_column_2_3;
-      transform_right_filter_feature_3_is_less := transform_right_filter_feature_3_difference < (-31);
-      transform_right_filter_feature_3_choice := -31 when transform_right_filter_feature_3_is_less else
-        transform_right_filter_feature_3_difference;
-      transform_right_filter_feature_3_choice_2 := 225 when transform_right_filter_feature_3_is_less else
-        transform_right_filter_feature_3_difference mod 256;
-      transform_right_filter_feature_3_choice_3 := transform_right_filter_feature_3_choice_2 when
-        transform_right_filter_feature_3_choice < 31 else 31;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_left_filter_feature_1_choice := 62 when 31 < transform_left_filter_slope_1 else
+        (transform_left_filter_slope_1 + 31) mod 256;
+      transform_left_filter_feature_1_choice_2 := 0 when transform_left_filter_slope_1 < (-31) else
+        transform_left_filter_feature_1_choice;
+      transform_left_filter_feature_2_choice := 62 when 31 < transform_left_filter_slope_2 else
+        (transform_left_filter_slope_2 + 31) mod 256;
+      transform_left_filter_feature_2_choice_2 := 0 when transform_left_filter_slope_2 < (-31) else
+        transform_left_filter_feature_2_choice;
+      transform_left_filter_feature_3_choice := 62 when 31 < transform_left_filter_slope_3 else
+        (transform_left_filter_slope_3 + 31) mod 65536;
+      transform_left_filter_feature_3_choice_2 := 0 when transform_left_filter_slope_3 < (-31) else
+        transform_left_filter_feature_3_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 65536;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
+      transform_right_filter_feature_1_choice := 62 when 31 < transform_right_filter_slope_1 else
+        (transform_right_filter_slope_1 + 31) mod 256;
+      transform_right_filter_feature_1_choice_2 := 0 when transform_right_filter_slope_1 < (-31) else
+        transform_right_filter_feature_1_choice;
+      transform_right_filter_feature_2_choice := 62 when 31 < transform_right_filter_slope_2 else
+        (transform_right_filter_slope_2 + 31) mod 256;
+      transform_right_filter_feature_2_choice_2 := 0 when transform_right_filter_slope_2 < (-31) else
+        transform_right_filter_feature_2_choice;
+      transform_right_filter_feature_3_choice := 62 when 31 < transform_right_filter_slope_3 else
+        (transform_right_filter_slope_3 + 31) mod 256;
+      transform_right_filter_feature_3_choice_2 := 0 when transform_right_filter_slope_3 < (-31) else
+        transform_right_filter_feature_3_choice;
       transform_left_0 <= to_integer(in_left_pixel(7 downto 0));
       transform_left_1 <= to_integer(in_left_pixel(15 downto 8));
       transform_left_2 <= to_integer(in_left_pixel(23 downto 16));
@@ -717,7 +668,7 @@ begin
       transform_right_rows_ready_newest_3 <= transform_right_rows_read_newest_3;
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= transform_read_row_inside_0_is_equal when (transform_counter_group mod 2) = 1 else
-        transform_read_row_inside_0_choice;
+        ((transform_counter_group / 4) = 1) /= (((transform_counter_group / 2) mod 2) = 1);
       transform_read_row_inside_1 <= not ((transform_counter_group / 4) = 1) when (transform_counter_group mod 2) = 1
         else transform_read_row_inside_0_is_equal;
       transform_read_row_inside_5 <= (transform_counter_group / 2) = 0 when (transform_counter_group mod 2) = 1 else
@@ -755,43 +706,47 @@ begin
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_left_filter_feature_1 <= (transform_left_filter_feature_1_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_left_filter_feature_2 <= (transform_left_filter_feature_2_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_left_filter_feature_3 <= (transform_left_filter_feature_3_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_1 <= (transform_right_filter_feature_1_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_2 <= (transform_right_filter_feature_2_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_3 <= (transform_right_filter_feature_3_choice_3 + 31) mod 256 when
-        transform_left_filter_feature_0_all else 31;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_slope_1 <= transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
+      transform_left_filter_slope_2 <= transform_left_filter_column_0_2 - transform_left_filter_column_2_2;
+      transform_left_filter_slope_3 <= transform_left_filter_column_0_3 - transform_left_filter_column_2_3;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2 when transform_left_filter_whole else
+        31;
+      transform_left_filter_feature_2 <= transform_left_filter_feature_2_choice_2 when transform_left_filter_whole else
+        31;
+      transform_left_filter_feature_3 <= transform_left_filter_feature_3_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_slope_1 <= transform_right_filter_column_0_1 - transform_right_filter_column_2_1;
+      transform_right_filter_slope_2 <= transform_right_filter_column_0_2 - transform_right_filter_column_2_2;
+      transform_right_filter_slope_3 <= transform_right_filter_column_0_3 - transform_right_filter_column_2_3;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_right_filter_feature_2 <= transform_right_filter_feature_2_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_right_filter_feature_3 <= transform_right_filter_feature_3_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_counter_next_frame_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_next_frame_choice := in_start_of_frame when transform_counter_next_frame_all else
+        transform_counter_next_frame or in_start_of_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 32;
-      end if;
-      transform_counter_next_frame_is_equal := raster_place_column = 31;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal and (raster_place_group = 2);
-      transform_counter_next_frame_is_equal_2 := raster_place_group = 3;
-      transform_counter_next_frame_all_2 := transform_counter_next_frame_is_equal and
-        transform_counter_next_frame_is_equal_2;
-      transform_counter_next_frame_choice := transform_filtered_start_of_frame when transform_counter_next_frame_all_2
-        else transform_filtered_start_of_frame or transform_counter_next_frame;
-      if transform_filtered_valid then
-        transform_counter_next_frame <= transform_counter_next_frame_choice when transform_counter_next_frame_all else
-          (not transform_counter_next_frame_all_2) and (not transform_filtered_start_of_frame) and
-          transform_counter_next_frame;
+        transform_counter_next_frame <= transform_counter_next_frame_choice when transform_counter_group_all else (not
+          transform_counter_next_frame_all) and transform_counter_next_frame and (not in_start_of_frame);
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_2, 8) &
@@ -895,11 +850,14 @@ begin
         transform_right_filter_column_2_3 <= transform_right_filter_column_1_3;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := 1 when transform_counter_next_frame and transform_counter_next_frame_is_equal_2
-        else (raster_place_group + 1) mod 8;
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 2);
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_2 := raster_place_group = 3;
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and raster_place_group_is_equal_2 else
+        (raster_place_group + 1) mod 8;
       raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 4) and
-        transform_counter_next_frame_is_equal and transform_filtered_valid else raster_place_group;
+        raster_place_group_is_equal and transform_filtering_2_valid else raster_place_group;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_search_1 <= transform_left_filter_feature_1;
       raster_features_search_2 <= transform_left_filter_feature_2;
@@ -907,20 +865,18 @@ begin
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_reference_1 <= transform_right_filter_feature_1;
       raster_features_reference_2 <= transform_right_filter_feature_2;
-      raster_features_reference_3 <= transform_right_filter_feature_3;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice when transform_filtered_start_of_frame and
-        transform_filtered_valid else raster_place_group_choice_3;
-      raster_features_start_of_frame_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      raster_features_start_of_frame_choice := in_start_of_frame when raster_features_start_of_frame_all else
-        raster_features_start_of_frame or in_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= raster_features_start_of_frame_choice when transform_counter_group_all else
-          (not raster_features_start_of_frame_all) and raster_features_start_of_frame and (not in_start_of_frame);
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal or transform_filtered_start_of_frame else
+      raster_features_reference_3 <= transform_right_filter_feature_3 mod 128;
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= raster_place_group_choice when transform_filtering_2_start_of_frame and
+        transform_filtering_2_valid else raster_place_group_choice_3;
+      raster_place_next_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_next_frame_choice := transform_filtering_2_start_of_frame when raster_place_next_frame_all else
+        transform_filtering_2_start_of_frame or raster_place_next_frame;
+      if transform_filtering_2_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
           (raster_place_column + 1) mod 32;
+        raster_place_next_frame <= raster_place_next_frame_choice when raster_place_group_all else (not
+          raster_place_next_frame_all) and (not transform_filtering_2_start_of_frame) and raster_place_next_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -928,16 +884,13 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
-      delay_row_inside_0_choice := not delay_row_inside_0_value when (raster_place_group / 4) = 1 else
-        delay_row_inside_0_value;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_choice;
+      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
+        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
       delay_row_inside_1 <= not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
         delay_row_inside_0_is_equal;
       delay_row_inside_5 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
@@ -945,8 +898,8 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 3) and (((raster_place_column + 65529) mod
-        65536) < 24);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and (raster_place_column >= 7)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -989,7 +942,7 @@ begin
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 64 when rows_ready_inside_1 else 0;
+      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
       rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_1 else 0;
       rows_search_3 <= rows_search_rows_ready_words_0 / 2097152 when rows_ready_inside_1 else 0;
       rows_search_4 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
@@ -1059,26 +1012,77 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pair_0_0_is_less := slice0cost_difference_2_0 < 0;
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_pair_0_0_is_less else
-        positive_part(slice0cost_difference_2_0);
+      if slice0cost_pair_0_0_is_less then
+        slice0cost_pair_0_0_choice := (65535 - slice0cost_difference_2_0) mod 256;
+      else
+        slice0cost_pair_0_0_choice := positive_part(slice0cost_difference_2_0);
+      end if;
       slice0cost_pair_0_1_is_less := slice0cost_difference_2_1 < 0;
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_pair_0_1_is_less else
-        positive_part(slice0cost_difference_2_1);
+      if slice0cost_pair_0_1_is_less then
+        slice0cost_pair_0_1_choice := (65535 - slice0cost_difference_2_1) mod 256;
+      else
+        slice0cost_pair_0_1_choice := positive_part(slice0cost_difference_2_1);
+      end if;
       slice0cost_pair_0_2_is_less := slice0cost_difference_2_2 < 0;
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_pair_0_2_is_less else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_0_folded_value := folded(slice0cost_difference_3_0);
+      if slice0cost_pair_0_2_is_less then
+        slice0cost_pair_0_2_choice := (65535 - slice0cost_difference_2_2) mod 256;
+      else
+        slice0cost_pair_0_2_choice := positive_part(slice0cost_difference_2_2);
+      end if;
       slice0cost_pair_1_0_is_less := slice0cost_difference_3_0 < 0;
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_1_folded_value := folded(slice0cost_difference_3_1);
+      if slice0cost_pair_1_0_is_less then
+        slice0cost_pair_1_0_choice := (65535 - slice0cost_difference_3_0) mod 256;
+      else
+        slice0cost_pair_1_0_choice := positive_part(slice0cost_difference_3_0);
+      end if;
       slice0cost_pair_1_1_is_less := slice0cost_difference_3_1 < 0;
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_1_2_folded_value := folded(slice0cost_difference_3_2);
+      if slice0cost_pair_1_1_is_less then
+        slice0cost_pair_1_1_choice := (65535 - slice0cost_difference_3_1) mod 256;
+      else
+        slice0cost_pair_1_1_choice := positive_part(slice0cost_difference_3_1);
+      end if;
       slice0cost_pair_1_2_is_less := slice0cost_difference_3_2 < 0;
+      if slice0cost_pair_1_2_is_less then
+        slice0cost_pair_1_2_choice := (65535 - slice0cost_difference_3_2) mod 256;
+      else
+        slice0cost_pair_1_2_choice := positive_part(slice0cost_difference_3_2);
+      end if;
+      slice0cost_single_0_0_is_less := slice0cost_difference_0_0 < 0;
+      if slice0cost_single_0_0_is_less then
+        slice0cost_single_0_0_choice := (65535 - slice0cost_difference_0_0) mod 256;
+      else
+        slice0cost_single_0_0_choice := positive_part(slice0cost_difference_0_0);
+      end if;
+      slice0cost_single_0_1_is_less := slice0cost_difference_0_1 < 0;
+      if slice0cost_single_0_1_is_less then
+        slice0cost_single_0_1_choice := (65535 - slice0cost_difference_0_1) mod 256;
+      else
+        slice0cost_single_0_1_choice := positive_part(slice0cost_difference_0_1);
+      end if;
+      slice0cost_single_0_2_is_less := slice0cost_difference_0_2 < 0;
+      if slice0cost_single_0_2_is_less then
+        slice0cost_single_0_2_choice := (65535 - slice0cost_difference_0_2) mod 256;
+      else
+        slice0cost_single_0_2_choice := positive_part(slice0cost_difference_0_2);
+      end if;
+      slice0cost_single_5_0_is_less := slice0cost_difference_5_0 < 0;
+      if slice0cost_single_5_0_is_less then
+        slice0cost_single_5_0_choice := (65535 - slice0cost_difference_5_0) mod 256;
+      else
+        slice0cost_single_5_0_choice := positive_part(slice0cost_difference_5_0);
+      end if;
+      slice0cost_single_5_1_is_less := slice0cost_difference_5_1 < 0;
+      if slice0cost_single_5_1_is_less then
+        slice0cost_single_5_1_choice := (65535 - slice0cost_difference_5_1) mod 256;
+      else
+        slice0cost_single_5_1_choice := positive_part(slice0cost_difference_5_1);
+      end if;
+      slice0cost_single_5_2_is_less := slice0cost_difference_5_2 < 0;
+      if slice0cost_single_5_2_is_less then
+        slice0cost_single_5_2_choice := (65535 - slice0cost_difference_5_2) mod 256;
+      else
+        slice0cost_single_5_2_choice := positive_part(slice0cost_difference_5_2);
+      end if;
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1097,12 +1101,6 @@ begin
       slice0cost_difference_5_0 <= slice0shift_search_5_0 - slice0shift_reference_5;
       slice0cost_difference_5_1 <= slice0shift_search_5_1 - slice0shift_reference_5;
       slice0cost_difference_5_2 <= slice0shift_search_5_2 - slice0shift_reference_5;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
@@ -1114,36 +1112,30 @@ begin
         as_number((slice0cost_difference_1_1 < 0))) mod 256;
       slice0cost_pair_0_2 <= (slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0))) mod 256;
-      slice0cost_pair_1_0 <= (slice0cost_pair_1_0_choice + slice0cost_pair_1_0_folded_value +
+      slice0cost_pair_1_0 <= (folded(slice0cost_difference_4_0) + slice0cost_pair_1_0_choice +
         as_number(slice0cost_pair_1_0_is_less)) mod 256;
-      slice0cost_pair_1_1 <= (slice0cost_pair_1_1_choice + slice0cost_pair_1_1_folded_value +
+      slice0cost_pair_1_1 <= (folded(slice0cost_difference_4_1) + slice0cost_pair_1_1_choice +
         as_number(slice0cost_pair_1_1_is_less)) mod 256;
-      slice0cost_pair_1_2 <= (slice0cost_pair_1_2_choice + slice0cost_pair_1_2_folded_value +
+      slice0cost_pair_1_2 <= (folded(slice0cost_difference_4_2) + slice0cost_pair_1_2_choice +
         as_number(slice0cost_pair_1_2_is_less)) mod 256;
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_2_0 <= folded(slice0cost_difference_2_0);
-      slice0cost_single_2_1 <= folded(slice0cost_difference_2_1);
-      slice0cost_single_2_2 <= folded(slice0cost_difference_2_2);
-      slice0cost_single_3_0 <= slice0cost_pair_1_0_folded_value;
-      slice0cost_single_3_1 <= slice0cost_pair_1_1_folded_value;
-      slice0cost_single_3_2 <= slice0cost_pair_1_2_folded_value;
-      slice0cost_single_5_0 <= folded(slice0cost_difference_5_0);
-      slice0cost_single_5_1 <= folded(slice0cost_difference_5_1);
-      slice0cost_single_5_2 <= folded(slice0cost_difference_5_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_2_0 <= slice0cost_pair_0_0_is_less;
-      slice0cost_negative_2_1 <= slice0cost_pair_0_1_is_less;
-      slice0cost_negative_2_2 <= slice0cost_pair_0_2_is_less;
-      slice0cost_negative_3_0 <= slice0cost_pair_1_0_is_less;
-      slice0cost_negative_3_1 <= slice0cost_pair_1_1_is_less;
-      slice0cost_negative_3_2 <= slice0cost_pair_1_2_is_less;
-      slice0cost_negative_5_0 <= slice0cost_difference_5_0 < 0;
-      slice0cost_negative_5_1 <= slice0cost_difference_5_1 < 0;
-      slice0cost_negative_5_2 <= slice0cost_difference_5_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_pair_0_0_is_less;
+      slice0cost_negative_0_1 <= slice0cost_pair_0_1_is_less;
+      slice0cost_negative_0_2 <= slice0cost_pair_0_2_is_less;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_single_0_0 <= (slice0cost_single_0_0_choice + as_number(slice0cost_single_0_0_is_less)) mod 256;
+      slice0cost_single_0_1 <= (slice0cost_single_0_1_choice + as_number(slice0cost_single_0_1_is_less)) mod 256;
+      slice0cost_single_0_2 <= (slice0cost_single_0_2_choice + as_number(slice0cost_single_0_2_is_less)) mod 256;
+      slice0cost_single_2_0 <= (slice0cost_pair_0_0_choice + as_number(slice0cost_pair_0_0_is_less)) mod 256;
+      slice0cost_single_2_1 <= (slice0cost_pair_0_1_choice + as_number(slice0cost_pair_0_1_is_less)) mod 256;
+      slice0cost_single_2_2 <= (slice0cost_pair_0_2_choice + as_number(slice0cost_pair_0_2_is_less)) mod 256;
+      slice0cost_single_3_0 <= (slice0cost_pair_1_0_choice + as_number(slice0cost_pair_1_0_is_less)) mod 256;
+      slice0cost_single_3_1 <= (slice0cost_pair_1_1_choice + as_number(slice0cost_pair_1_1_is_less)) mod 256;
+      slice0cost_single_3_2 <= (slice0cost_pair_1_2_choice + as_number(slice0cost_pair_1_2_is_less)) mod 256;
+      slice0cost_single_5_0 <= (slice0cost_single_5_0_choice + as_number(slice0cost_single_5_0_is_less)) mod 256;
+      slice0cost_single_5_1 <= (slice0cost_single_5_1_choice + as_number(slice0cost_single_5_1_is_less)) mod 256;
+      slice0cost_single_5_2 <= (slice0cost_single_5_2_choice + as_number(slice0cost_single_5_2_is_less)) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
@@ -1155,23 +1147,23 @@ begin
         slice0cost_pair_0_1 + slice0cost_single_0_1) mod 256;
       slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
         slice0cost_pair_0_2 + slice0cost_single_0_2) mod 256;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_3_0) +
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
         slice0cost_pair_0_0 + slice0cost_single_3_0) mod 256;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_3_1) +
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
         slice0cost_pair_0_1 + slice0cost_single_3_1) mod 256;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_3_2) +
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
         slice0cost_pair_0_2 + slice0cost_single_3_2) mod 256;
-      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_2_0) +
+      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
         slice0cost_pair_1_0 + slice0cost_single_2_0) mod 256;
-      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_2_1) +
+      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
         slice0cost_pair_1_1 + slice0cost_single_2_1) mod 256;
-      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_2_2) +
+      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
         slice0cost_pair_1_2 + slice0cost_single_2_2) mod 256;
-      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_5_0) +
+      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
         slice0cost_pair_1_0 + slice0cost_single_5_0) mod 256;
-      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_5_1) +
+      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
         slice0cost_pair_1_1 + slice0cost_single_5_1) mod 256;
-      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_5_2) +
+      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
         slice0cost_pair_1_2 + slice0cost_single_5_2) mod 256;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
@@ -1183,113 +1175,136 @@ begin
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
         slice0window_partial_0_0_1 <= slice0cost_column_0_1;
         slice0window_partial_0_0_2 <= slice0cost_column_0_2;
-        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
-        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
-        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_1_0 <= slice0window_partial_0_0_0 + slice0cost_column_0_0;
+        slice0window_partial_0_1_1 <= slice0window_partial_0_0_1 + slice0cost_column_0_1;
+        slice0window_partial_0_1_2 <= slice0window_partial_0_0_2 + slice0cost_column_0_2;
         slice0window_partial_1_0_0 <= slice0cost_column_1_0;
         slice0window_partial_1_0_1 <= slice0cost_column_1_1;
         slice0window_partial_1_0_2 <= slice0cost_column_1_2;
-        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
-        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
-        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+        slice0window_partial_1_1_0 <= slice0window_partial_1_0_0 + slice0cost_column_1_0;
+        slice0window_partial_1_1_1 <= slice0window_partial_1_0_1 + slice0cost_column_1_1;
+        slice0window_partial_1_1_2 <= slice0window_partial_1_0_2 + slice0cost_column_1_2;
         slice0window_partial_2_0_0 <= slice0cost_column_2_0;
         slice0window_partial_2_0_1 <= slice0cost_column_2_1;
         slice0window_partial_2_0_2 <= slice0cost_column_2_2;
-        slice0window_partial_2_1_0 <= slice0cost_column_2_0 + slice0window_partial_2_0_0;
-        slice0window_partial_2_1_1 <= slice0cost_column_2_1 + slice0window_partial_2_0_1;
-        slice0window_partial_2_1_2 <= slice0cost_column_2_2 + slice0window_partial_2_0_2;
+        slice0window_partial_2_1_0 <= slice0window_partial_2_0_0 + slice0cost_column_2_0;
+        slice0window_partial_2_1_1 <= slice0window_partial_2_0_1 + slice0cost_column_2_1;
+        slice0window_partial_2_1_2 <= slice0window_partial_2_0_2 + slice0cost_column_2_2;
         slice0window_partial_3_0_0 <= slice0cost_column_3_0;
         slice0window_partial_3_0_1 <= slice0cost_column_3_1;
         slice0window_partial_3_0_2 <= slice0cost_column_3_2;
-        slice0window_partial_3_1_0 <= slice0cost_column_3_0 + slice0window_partial_3_0_0;
-        slice0window_partial_3_1_1 <= slice0cost_column_3_1 + slice0window_partial_3_0_1;
-        slice0window_partial_3_1_2 <= slice0cost_column_3_2 + slice0window_partial_3_0_2;
+        slice0window_partial_3_1_0 <= slice0window_partial_3_0_0 + slice0cost_column_3_0;
+        slice0window_partial_3_1_1 <= slice0window_partial_3_0_1 + slice0cost_column_3_1;
+        slice0window_partial_3_1_2 <= slice0window_partial_3_0_2 + slice0cost_column_3_2;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
-      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
-      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
-      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
-      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
-      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
-      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
-      slice0window_sum_2_0 <= slice0cost_column_2_0 + slice0window_partial_2_1_0;
-      slice0window_sum_2_1 <= slice0cost_column_2_1 + slice0window_partial_2_1_1;
-      slice0window_sum_2_2 <= slice0cost_column_2_2 + slice0window_partial_2_1_2;
-      slice0window_sum_3_0 <= slice0cost_column_3_0 + slice0window_partial_3_1_0;
-      slice0window_sum_3_1 <= slice0cost_column_3_1 + slice0window_partial_3_1_1;
-      slice0window_sum_3_2 <= slice0cost_column_3_2 + slice0window_partial_3_1_2;
+      slice0window_sum_0_0 <= slice0window_partial_0_1_0 + slice0cost_column_0_0;
+      slice0window_sum_0_1 <= slice0window_partial_0_1_1 + slice0cost_column_0_1;
+      slice0window_sum_0_2 <= slice0window_partial_0_1_2 + slice0cost_column_0_2;
+      slice0window_sum_1_0 <= slice0window_partial_1_1_0 + slice0cost_column_1_0;
+      slice0window_sum_1_1 <= slice0window_partial_1_1_1 + slice0cost_column_1_1;
+      slice0window_sum_1_2 <= slice0window_partial_1_1_2 + slice0cost_column_1_2;
+      slice0window_sum_2_0 <= slice0window_partial_2_1_0 + slice0cost_column_2_0;
+      slice0window_sum_2_1 <= slice0window_partial_2_1_1 + slice0cost_column_2_1;
+      slice0window_sum_2_2 <= slice0window_partial_2_1_2 + slice0cost_column_2_2;
+      slice0window_sum_3_0 <= slice0window_partial_3_1_0 + slice0cost_column_3_0;
+      slice0window_sum_3_1 <= slice0window_partial_3_1_1 + slice0cost_column_3_1;
+      slice0window_sum_3_2 <= slice0window_partial_3_1_2 + slice0cost_column_3_2;
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_2_0_is_less := slice0window_sum_2_1 < slice0window_sum_2_0;
-      slice0winner1_best_cost_3_0_is_less := slice0window_sum_3_1 < slice0window_sum_3_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
-      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
-      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
-      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 10)) or (to_unsigned(slice0winner1_of_pair_0_1, 10))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 10)) or (to_unsigned(slice0winner1_of_pair_1_1, 10))))) < 0;
+      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 10)) or (to_unsigned(slice0winner1_of_pair_2_1, 10))))) < 0;
+      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 10)) or (to_unsigned(slice0winner1_of_pair_3_1, 10))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
+      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
+      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
+      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
+      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
+      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
+      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
+      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
+      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
+      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
+      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
+      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
+        as_number(slice0winner1_pair_index_2_0);
+      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
+        as_number(slice0winner1_pair_index_3_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 10)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 10)))) or (to_unsigned(slice0winner1_of_four_0_0, 10))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 10)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 10)))) or (to_unsigned(slice0winner1_of_four_1_0, 10))));
+      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 10)) or
+        (to_unsigned(slice0winner1_of_four_2_2, 10)))) or (to_unsigned(slice0winner1_of_four_2_0, 10))));
+      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 10)) or
+        (to_unsigned(slice0winner1_of_four_3_2, 10)))) or (to_unsigned(slice0winner1_of_four_3_0, 10))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
+      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0_is_less := slice0winner1_best_cost_2_1 < slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0_is_less := slice0winner1_best_cost_3_1 < slice0winner1_best_cost_3_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 5;
-      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_index_2_0 <= slice0winner1_best_index_2_0 + 5;
+      slice0_best_index_3_0 <= slice0winner1_best_index_3_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1325,26 +1340,77 @@ begin
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       -- slice1cost
       slice1cost_pair_0_0_is_less := slice1cost_difference_2_0 < 0;
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_pair_0_0_is_less else
-        positive_part(slice1cost_difference_2_0);
+      if slice1cost_pair_0_0_is_less then
+        slice1cost_pair_0_0_choice := (65535 - slice1cost_difference_2_0) mod 256;
+      else
+        slice1cost_pair_0_0_choice := positive_part(slice1cost_difference_2_0);
+      end if;
       slice1cost_pair_0_1_is_less := slice1cost_difference_2_1 < 0;
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_pair_0_1_is_less else
-        positive_part(slice1cost_difference_2_1);
+      if slice1cost_pair_0_1_is_less then
+        slice1cost_pair_0_1_choice := (65535 - slice1cost_difference_2_1) mod 256;
+      else
+        slice1cost_pair_0_1_choice := positive_part(slice1cost_difference_2_1);
+      end if;
       slice1cost_pair_0_2_is_less := slice1cost_difference_2_2 < 0;
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_pair_0_2_is_less else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_0_folded_value := folded(slice1cost_difference_3_0);
+      if slice1cost_pair_0_2_is_less then
+        slice1cost_pair_0_2_choice := (65535 - slice1cost_difference_2_2) mod 256;
+      else
+        slice1cost_pair_0_2_choice := positive_part(slice1cost_difference_2_2);
+      end if;
       slice1cost_pair_1_0_is_less := slice1cost_difference_3_0 < 0;
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_1_folded_value := folded(slice1cost_difference_3_1);
+      if slice1cost_pair_1_0_is_less then
+        slice1cost_pair_1_0_choice := (65535 - slice1cost_difference_3_0) mod 256;
+      else
+        slice1cost_pair_1_0_choice := positive_part(slice1cost_difference_3_0);
+      end if;
       slice1cost_pair_1_1_is_less := slice1cost_difference_3_1 < 0;
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_1_2_folded_value := folded(slice1cost_difference_3_2);
+      if slice1cost_pair_1_1_is_less then
+        slice1cost_pair_1_1_choice := (65535 - slice1cost_difference_3_1) mod 256;
+      else
+        slice1cost_pair_1_1_choice := positive_part(slice1cost_difference_3_1);
+      end if;
       slice1cost_pair_1_2_is_less := slice1cost_difference_3_2 < 0;
+      if slice1cost_pair_1_2_is_less then
+        slice1cost_pair_1_2_choice := (65535 - slice1cost_difference_3_2) mod 256;
+      else
+        slice1cost_pair_1_2_choice := positive_part(slice1cost_difference_3_2);
+      end if;
+      slice1cost_single_0_0_is_less := slice1cost_difference_0_0 < 0;
+      if slice1cost_single_0_0_is_less then
+        slice1cost_single_0_0_choice := (65535 - slice1cost_difference_0_0) mod 256;
+      else
+        slice1cost_single_0_0_choice := positive_part(slice1cost_difference_0_0);
+      end if;
+      slice1cost_single_0_1_is_less := slice1cost_difference_0_1 < 0;
+      if slice1cost_single_0_1_is_less then
+        slice1cost_single_0_1_choice := (65535 - slice1cost_difference_0_1) mod 256;
+      else
+        slice1cost_single_0_1_choice := positive_part(slice1cost_difference_0_1);
+      end if;
+      slice1cost_single_0_2_is_less := slice1cost_difference_0_2 < 0;
+      if slice1cost_single_0_2_is_less then
+        slice1cost_single_0_2_choice := (65535 - slice1cost_difference_0_2) mod 256;
+      else
+        slice1cost_single_0_2_choice := positive_part(slice1cost_difference_0_2);
+      end if;
+      slice1cost_single_5_0_is_less := slice1cost_difference_5_0 < 0;
+      if slice1cost_single_5_0_is_less then
+        slice1cost_single_5_0_choice := (65535 - slice1cost_difference_5_0) mod 256;
+      else
+        slice1cost_single_5_0_choice := positive_part(slice1cost_difference_5_0);
+      end if;
+      slice1cost_single_5_1_is_less := slice1cost_difference_5_1 < 0;
+      if slice1cost_single_5_1_is_less then
+        slice1cost_single_5_1_choice := (65535 - slice1cost_difference_5_1) mod 256;
+      else
+        slice1cost_single_5_1_choice := positive_part(slice1cost_difference_5_1);
+      end if;
+      slice1cost_single_5_2_is_less := slice1cost_difference_5_2 < 0;
+      if slice1cost_single_5_2_is_less then
+        slice1cost_single_5_2_choice := (65535 - slice1cost_difference_5_2) mod 256;
+      else
+        slice1cost_single_5_2_choice := positive_part(slice1cost_difference_5_2);
+      end if;
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1363,71 +1429,59 @@ begin
       slice1cost_difference_5_0 <= slice1shift_search_5_0 - slice1shift_reference_5;
       slice1cost_difference_5_1 <= slice1shift_search_5_1 - slice1shift_reference_5;
       slice1cost_difference_5_2 <= slice1shift_search_5_2 - slice1shift_reference_5;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
       slice1cost_pair_0_0 <= (slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0))) mod 256;
       slice1cost_pair_0_1 <= (slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0))) mod 256;
       slice1cost_pair_0_2 <= (slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0))) mod 256;
-      slice1cost_pair_1_0 <= (slice1cost_pair_1_0_choice + slice1cost_pair_1_0_folded_value +
+      slice1cost_pair_1_0 <= (folded(slice1cost_difference_4_0) + slice1cost_pair_1_0_choice +
         as_number(slice1cost_pair_1_0_is_less)) mod 256;
-      slice1cost_pair_1_1 <= (slice1cost_pair_1_1_choice + slice1cost_pair_1_1_folded_value +
+      slice1cost_pair_1_1 <= (folded(slice1cost_difference_4_1) + slice1cost_pair_1_1_choice +
         as_number(slice1cost_pair_1_1_is_less)) mod 256;
-      slice1cost_pair_1_2 <= (slice1cost_pair_1_2_choice + slice1cost_pair_1_2_folded_value +
+      slice1cost_pair_1_2 <= (folded(slice1cost_difference_4_2) + slice1cost_pair_1_2_choice +
         as_number(slice1cost_pair_1_2_is_less)) mod 256;
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_2_0 <= folded(slice1cost_difference_2_0);
-      slice1cost_single_2_1 <= folded(slice1cost_difference_2_1);
-      slice1cost_single_2_2 <= folded(slice1cost_difference_2_2);
-      slice1cost_single_3_0 <= slice1cost_pair_1_0_folded_value;
-      slice1cost_single_3_1 <= slice1cost_pair_1_1_folded_value;
-      slice1cost_single_3_2 <= slice1cost_pair_1_2_folded_value;
-      slice1cost_single_5_0 <= folded(slice1cost_difference_5_0);
-      slice1cost_single_5_1 <= folded(slice1cost_difference_5_1);
-      slice1cost_single_5_2 <= folded(slice1cost_difference_5_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_2_0 <= slice1cost_pair_0_0_is_less;
-      slice1cost_negative_2_1 <= slice1cost_pair_0_1_is_less;
-      slice1cost_negative_2_2 <= slice1cost_pair_0_2_is_less;
-      slice1cost_negative_3_0 <= slice1cost_pair_1_0_is_less;
-      slice1cost_negative_3_1 <= slice1cost_pair_1_1_is_less;
-      slice1cost_negative_3_2 <= slice1cost_pair_1_2_is_less;
-      slice1cost_negative_5_0 <= slice1cost_difference_5_0 < 0;
-      slice1cost_negative_5_1 <= slice1cost_difference_5_1 < 0;
-      slice1cost_negative_5_2 <= slice1cost_difference_5_2 < 0;
+      slice1cost_negative_0_0 <= slice1cost_pair_0_0_is_less;
+      slice1cost_negative_0_1 <= slice1cost_pair_0_1_is_less;
+      slice1cost_negative_0_2 <= slice1cost_pair_0_2_is_less;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_single_0_0 <= (slice1cost_single_0_0_choice + as_number(slice1cost_single_0_0_is_less)) mod 256;
+      slice1cost_single_0_1 <= (slice1cost_single_0_1_choice + as_number(slice1cost_single_0_1_is_less)) mod 256;
+      slice1cost_single_0_2 <= (slice1cost_single_0_2_choice + as_number(slice1cost_single_0_2_is_less)) mod 256;
+      slice1cost_single_2_0 <= (slice1cost_pair_0_0_choice + as_number(slice1cost_pair_0_0_is_less)) mod 256;
+      slice1cost_single_2_1 <= (slice1cost_pair_0_1_choice + as_number(slice1cost_pair_0_1_is_less)) mod 256;
+      slice1cost_single_2_2 <= (slice1cost_pair_0_2_choice + as_number(slice1cost_pair_0_2_is_less)) mod 256;
+      slice1cost_single_3_0 <= (slice1cost_pair_1_0_choice + as_number(slice1cost_pair_1_0_is_less)) mod 256;
+      slice1cost_single_3_1 <= (slice1cost_pair_1_1_choice + as_number(slice1cost_pair_1_1_is_less)) mod 256;
+      slice1cost_single_3_2 <= (slice1cost_pair_1_2_choice + as_number(slice1cost_pair_1_2_is_less)) mod 256;
+      slice1cost_single_5_0 <= (slice1cost_single_5_0_choice + as_number(slice1cost_single_5_0_is_less)) mod 256;
+      slice1cost_single_5_1 <= (slice1cost_single_5_1_choice + as_number(slice1cost_single_5_1_is_less)) mod 256;
+      slice1cost_single_5_2 <= (slice1cost_single_5_2_choice + as_number(slice1cost_single_5_2_is_less)) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_0_0) mod 256;
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
         slice1cost_pair_0_1 + slice1cost_single_0_1) mod 256;
       slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
         slice1cost_pair_0_2 + slice1cost_single_0_2) mod 256;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_3_0) +
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_3_0) mod 256;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_3_1) +
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
         slice1cost_pair_0_1 + slice1cost_single_3_1) mod 256;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_3_2) +
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
         slice1cost_pair_0_2 + slice1cost_single_3_2) mod 256;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_2_0) +
+      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
         slice1cost_pair_1_0 + slice1cost_single_2_0) mod 256;
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_2_1) +
+      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
         slice1cost_pair_1_1 + slice1cost_single_2_1) mod 256;
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_2_2) +
+      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
         slice1cost_pair_1_2 + slice1cost_single_2_2) mod 256;
-      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_5_0) +
+      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
         slice1cost_pair_1_0 + slice1cost_single_5_0) mod 256;
-      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_5_1) +
+      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
         slice1cost_pair_1_1 + slice1cost_single_5_1) mod 256;
-      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_5_2) +
+      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
         slice1cost_pair_1_2 + slice1cost_single_5_2) mod 256;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
@@ -1435,99 +1489,118 @@ begin
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
         slice1window_partial_0_0_1 <= slice1cost_column_0_1;
         slice1window_partial_0_0_2 <= slice1cost_column_0_2;
-        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
-        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
-        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_1_0 <= slice1window_partial_0_0_0 + slice1cost_column_0_0;
+        slice1window_partial_0_1_1 <= slice1window_partial_0_0_1 + slice1cost_column_0_1;
+        slice1window_partial_0_1_2 <= slice1window_partial_0_0_2 + slice1cost_column_0_2;
         slice1window_partial_1_0_0 <= slice1cost_column_1_0;
         slice1window_partial_1_0_1 <= slice1cost_column_1_1;
         slice1window_partial_1_0_2 <= slice1cost_column_1_2;
-        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
-        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
-        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+        slice1window_partial_1_1_0 <= slice1window_partial_1_0_0 + slice1cost_column_1_0;
+        slice1window_partial_1_1_1 <= slice1window_partial_1_0_1 + slice1cost_column_1_1;
+        slice1window_partial_1_1_2 <= slice1window_partial_1_0_2 + slice1cost_column_1_2;
         slice1window_partial_2_0_0 <= slice1cost_column_2_0;
         slice1window_partial_2_0_1 <= slice1cost_column_2_1;
         slice1window_partial_2_0_2 <= slice1cost_column_2_2;
-        slice1window_partial_2_1_0 <= slice1cost_column_2_0 + slice1window_partial_2_0_0;
-        slice1window_partial_2_1_1 <= slice1cost_column_2_1 + slice1window_partial_2_0_1;
-        slice1window_partial_2_1_2 <= slice1cost_column_2_2 + slice1window_partial_2_0_2;
+        slice1window_partial_2_1_0 <= slice1window_partial_2_0_0 + slice1cost_column_2_0;
+        slice1window_partial_2_1_1 <= slice1window_partial_2_0_1 + slice1cost_column_2_1;
+        slice1window_partial_2_1_2 <= slice1window_partial_2_0_2 + slice1cost_column_2_2;
         slice1window_partial_3_0_0 <= slice1cost_column_3_0;
         slice1window_partial_3_0_1 <= slice1cost_column_3_1;
         slice1window_partial_3_0_2 <= slice1cost_column_3_2;
-        slice1window_partial_3_1_0 <= slice1cost_column_3_0 + slice1window_partial_3_0_0;
-        slice1window_partial_3_1_1 <= slice1cost_column_3_1 + slice1window_partial_3_0_1;
-        slice1window_partial_3_1_2 <= slice1cost_column_3_2 + slice1window_partial_3_0_2;
+        slice1window_partial_3_1_0 <= slice1window_partial_3_0_0 + slice1cost_column_3_0;
+        slice1window_partial_3_1_1 <= slice1window_partial_3_0_1 + slice1cost_column_3_1;
+        slice1window_partial_3_1_2 <= slice1window_partial_3_0_2 + slice1cost_column_3_2;
       end if;
-      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
-      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
-      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
-      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
-      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
-      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
-      slice1window_sum_2_0 <= slice1cost_column_2_0 + slice1window_partial_2_1_0;
-      slice1window_sum_2_1 <= slice1cost_column_2_1 + slice1window_partial_2_1_1;
-      slice1window_sum_2_2 <= slice1cost_column_2_2 + slice1window_partial_2_1_2;
-      slice1window_sum_3_0 <= slice1cost_column_3_0 + slice1window_partial_3_1_0;
-      slice1window_sum_3_1 <= slice1cost_column_3_1 + slice1window_partial_3_1_1;
-      slice1window_sum_3_2 <= slice1cost_column_3_2 + slice1window_partial_3_1_2;
+      slice1window_sum_0_0 <= slice1window_partial_0_1_0 + slice1cost_column_0_0;
+      slice1window_sum_0_1 <= slice1window_partial_0_1_1 + slice1cost_column_0_1;
+      slice1window_sum_0_2 <= slice1window_partial_0_1_2 + slice1cost_column_0_2;
+      slice1window_sum_1_0 <= slice1window_partial_1_1_0 + slice1cost_column_1_0;
+      slice1window_sum_1_1 <= slice1window_partial_1_1_1 + slice1cost_column_1_1;
+      slice1window_sum_1_2 <= slice1window_partial_1_1_2 + slice1cost_column_1_2;
+      slice1window_sum_2_0 <= slice1window_partial_2_1_0 + slice1cost_column_2_0;
+      slice1window_sum_2_1 <= slice1window_partial_2_1_1 + slice1cost_column_2_1;
+      slice1window_sum_2_2 <= slice1window_partial_2_1_2 + slice1cost_column_2_2;
+      slice1window_sum_3_0 <= slice1window_partial_3_1_0 + slice1cost_column_3_0;
+      slice1window_sum_3_1 <= slice1window_partial_3_1_1 + slice1cost_column_3_1;
+      slice1window_sum_3_2 <= slice1window_partial_3_1_2 + slice1cost_column_3_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_2_0_is_less := slice1window_sum_2_1 < slice1window_sum_2_0;
-      slice1winner1_best_cost_3_0_is_less := slice1window_sum_3_1 < slice1window_sum_3_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
-      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
-      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
-      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0_is_less := slice1winner1_best_cost_2_1 < slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0_is_less := slice1winner1_best_cost_3_1 < slice1winner1_best_cost_3_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 10)) or (to_unsigned(slice1winner1_of_pair_0_1, 10))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 10)) or (to_unsigned(slice1winner1_of_pair_1_1, 10))))) < 0;
+      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 10)) or (to_unsigned(slice1winner1_of_pair_2_1, 10))))) < 0;
+      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 10)) or (to_unsigned(slice1winner1_of_pair_3_1, 10))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
+      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
+      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
+      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
+      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
+      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
+      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
+      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
+      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
+      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
+      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
+      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
+        as_number(slice1winner1_pair_index_2_0);
+      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
+        as_number(slice1winner1_pair_index_3_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 10)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 10)))) or (to_unsigned(slice1winner1_of_four_0_0, 10))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 10)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 10)))) or (to_unsigned(slice1winner1_of_four_1_0, 10))));
+      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 10)) or
+        (to_unsigned(slice1winner1_of_four_2_2, 10)))) or (to_unsigned(slice1winner1_of_four_2_0, 10))));
+      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 10)) or
+        (to_unsigned(slice1winner1_of_four_3_2, 10)))) or (to_unsigned(slice1winner1_of_four_3_0, 10))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
+      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0_is_less := slice0_best_cost_2_0 < slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0_is_less := slice0_best_cost_3_0 < slice1winner2_best_cost_3_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
+        (((slice1winner1_best_index_2_0 / 2) + 1) * 2) + (slice1winner1_best_index_2_0 mod 2);
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
+        (((slice1winner1_best_index_3_0 / 2) + 1) * 2) + (slice1winner1_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1555,19 +1628,53 @@ begin
       slice2shift_reference_5 <= slice1shift_reference_5;
       -- slice2cost
       slice2cost_pair_0_0_is_less := slice2cost_difference_2_0 < 0;
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_pair_0_0_is_less else
-        positive_part(slice2cost_difference_2_0);
+      if slice2cost_pair_0_0_is_less then
+        slice2cost_pair_0_0_choice := (65535 - slice2cost_difference_2_0) mod 256;
+      else
+        slice2cost_pair_0_0_choice := positive_part(slice2cost_difference_2_0);
+      end if;
       slice2cost_pair_0_1_is_less := slice2cost_difference_2_1 < 0;
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_pair_0_1_is_less else
-        positive_part(slice2cost_difference_2_1);
-      slice2cost_pair_1_0_choice := slice2cost_reverse_1_0 when slice2cost_difference_4_0 < 0 else
-        positive_part(slice2cost_difference_4_0);
-      slice2cost_pair_1_0_folded_value := folded(slice2cost_difference_3_0);
+      if slice2cost_pair_0_1_is_less then
+        slice2cost_pair_0_1_choice := (65535 - slice2cost_difference_2_1) mod 256;
+      else
+        slice2cost_pair_0_1_choice := positive_part(slice2cost_difference_2_1);
+      end if;
       slice2cost_pair_1_0_is_less := slice2cost_difference_3_0 < 0;
-      slice2cost_pair_1_1_choice := slice2cost_reverse_1_1 when slice2cost_difference_4_1 < 0 else
-        positive_part(slice2cost_difference_4_1);
-      slice2cost_pair_1_1_folded_value := folded(slice2cost_difference_3_1);
+      if slice2cost_pair_1_0_is_less then
+        slice2cost_pair_1_0_choice := (65535 - slice2cost_difference_3_0) mod 256;
+      else
+        slice2cost_pair_1_0_choice := positive_part(slice2cost_difference_3_0);
+      end if;
       slice2cost_pair_1_1_is_less := slice2cost_difference_3_1 < 0;
+      if slice2cost_pair_1_1_is_less then
+        slice2cost_pair_1_1_choice := (65535 - slice2cost_difference_3_1) mod 256;
+      else
+        slice2cost_pair_1_1_choice := positive_part(slice2cost_difference_3_1);
+      end if;
+      slice2cost_single_0_0_is_less := slice2cost_difference_0_0 < 0;
+      if slice2cost_single_0_0_is_less then
+        slice2cost_single_0_0_choice := (65535 - slice2cost_difference_0_0) mod 256;
+      else
+        slice2cost_single_0_0_choice := positive_part(slice2cost_difference_0_0);
+      end if;
+      slice2cost_single_0_1_is_less := slice2cost_difference_0_1 < 0;
+      if slice2cost_single_0_1_is_less then
+        slice2cost_single_0_1_choice := (65535 - slice2cost_difference_0_1) mod 256;
+      else
+        slice2cost_single_0_1_choice := positive_part(slice2cost_difference_0_1);
+      end if;
+      slice2cost_single_5_0_is_less := slice2cost_difference_5_0 < 0;
+      if slice2cost_single_5_0_is_less then
+        slice2cost_single_5_0_choice := (65535 - slice2cost_difference_5_0) mod 256;
+      else
+        slice2cost_single_5_0_choice := positive_part(slice2cost_difference_5_0);
+      end if;
+      slice2cost_single_5_1_is_less := slice2cost_difference_5_1 < 0;
+      if slice2cost_single_5_1_is_less then
+        slice2cost_single_5_1_choice := (65535 - slice2cost_difference_5_1) mod 256;
+      else
+        slice2cost_single_5_1_choice := positive_part(slice2cost_difference_5_1);
+      end if;
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1580,82 +1687,74 @@ begin
       slice2cost_difference_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
       slice2cost_difference_5_0 <= slice2shift_search_5_0 - slice2shift_reference_5;
       slice2cost_difference_5_1 <= slice2shift_search_5_1 - slice2shift_reference_5;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_reverse_1_0 <= (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
-      slice2cost_reverse_1_1 <= (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
-      slice2cost_pair_0_0 <= (slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0))) mod 256;
-      slice2cost_pair_0_1 <= (slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0))) mod 256;
-      slice2cost_pair_1_0 <= (slice2cost_pair_1_0_choice + slice2cost_pair_1_0_folded_value +
-        as_number(slice2cost_pair_1_0_is_less)) mod 256;
-      slice2cost_pair_1_1 <= (slice2cost_pair_1_1_choice + slice2cost_pair_1_1_folded_value +
-        as_number(slice2cost_pair_1_1_is_less)) mod 256;
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_2_0 <= folded(slice2cost_difference_2_0);
-      slice2cost_single_2_1 <= folded(slice2cost_difference_2_1);
-      slice2cost_single_3_0 <= slice2cost_pair_1_0_folded_value;
-      slice2cost_single_3_1 <= slice2cost_pair_1_1_folded_value;
-      slice2cost_single_5_0 <= folded(slice2cost_difference_5_0);
-      slice2cost_single_5_1 <= folded(slice2cost_difference_5_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_2_0 <= slice2cost_pair_0_0_is_less;
-      slice2cost_negative_2_1 <= slice2cost_pair_0_1_is_less;
-      slice2cost_negative_3_0 <= slice2cost_pair_1_0_is_less;
-      slice2cost_negative_3_1 <= slice2cost_pair_1_1_is_less;
-      slice2cost_negative_5_0 <= slice2cost_difference_5_0 < 0;
-      slice2cost_negative_5_1 <= slice2cost_difference_5_1 < 0;
+      slice2cost_pair_0_0 <= (as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        slice2cost_pair_0_0_choice) mod 256;
+      slice2cost_pair_0_1 <= (as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        slice2cost_pair_0_1_choice) mod 256;
+      slice2cost_pair_1_0 <= (as_number(slice2cost_pair_1_0_is_less) + slice2cost_pair_1_0_choice +
+        folded(slice2cost_difference_4_0)) mod 256;
+      slice2cost_pair_1_1 <= (as_number(slice2cost_pair_1_1_is_less) + slice2cost_pair_1_1_choice +
+        folded(slice2cost_difference_4_1)) mod 256;
+      slice2cost_negative_0_0 <= slice2cost_pair_0_0_is_less;
+      slice2cost_negative_0_1 <= slice2cost_pair_0_1_is_less;
+      slice2cost_negative_1_0 <= slice2cost_difference_4_0 < 0;
+      slice2cost_negative_1_1 <= slice2cost_difference_4_1 < 0;
+      slice2cost_single_0_0 <= (slice2cost_single_0_0_choice + as_number(slice2cost_single_0_0_is_less)) mod 256;
+      slice2cost_single_0_1 <= (slice2cost_single_0_1_choice + as_number(slice2cost_single_0_1_is_less)) mod 256;
+      slice2cost_single_2_0 <= (slice2cost_pair_0_0_choice + as_number(slice2cost_pair_0_0_is_less)) mod 256;
+      slice2cost_single_2_1 <= (slice2cost_pair_0_1_choice + as_number(slice2cost_pair_0_1_is_less)) mod 256;
+      slice2cost_single_3_0 <= (slice2cost_pair_1_0_choice + as_number(slice2cost_pair_1_0_is_less)) mod 256;
+      slice2cost_single_3_1 <= (slice2cost_pair_1_1_choice + as_number(slice2cost_pair_1_1_is_less)) mod 256;
+      slice2cost_single_5_0 <= (slice2cost_single_5_0_choice + as_number(slice2cost_single_5_0_is_less)) mod 256;
+      slice2cost_single_5_1 <= (slice2cost_single_5_1_choice + as_number(slice2cost_single_5_1_is_less)) mod 256;
       slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_0_0) mod 256;
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
         slice2cost_pair_0_1 + slice2cost_single_0_1) mod 256;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_3_0) +
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_3_0) mod 256;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_3_1) +
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
         slice2cost_pair_0_1 + slice2cost_single_3_1) mod 256;
-      slice2cost_column_2_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_2_0) +
+      slice2cost_column_2_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
         slice2cost_pair_1_0 + slice2cost_single_2_0) mod 256;
-      slice2cost_column_2_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_2_1) +
+      slice2cost_column_2_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
         slice2cost_pair_1_1 + slice2cost_single_2_1) mod 256;
-      slice2cost_column_3_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_5_0) +
+      slice2cost_column_3_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
         slice2cost_pair_1_0 + slice2cost_single_5_0) mod 256;
-      slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_5_1) +
+      slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
         slice2cost_pair_1_1 + slice2cost_single_5_1) mod 256;
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
-        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
-        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_0_1_0 <= slice2window_partial_0_0_0 + slice2cost_column_0_0;
+        slice2window_partial_0_1_1 <= slice2window_partial_0_0_1 + slice2cost_column_0_1;
         slice2window_partial_1_0_0 <= slice2cost_column_1_0;
         slice2window_partial_1_0_1 <= slice2cost_column_1_1;
-        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
-        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+        slice2window_partial_1_1_0 <= slice2window_partial_1_0_0 + slice2cost_column_1_0;
+        slice2window_partial_1_1_1 <= slice2window_partial_1_0_1 + slice2cost_column_1_1;
         slice2window_partial_2_0_0 <= slice2cost_column_2_0;
         slice2window_partial_2_0_1 <= slice2cost_column_2_1;
-        slice2window_partial_2_1_0 <= slice2cost_column_2_0 + slice2window_partial_2_0_0;
-        slice2window_partial_2_1_1 <= slice2cost_column_2_1 + slice2window_partial_2_0_1;
+        slice2window_partial_2_1_0 <= slice2window_partial_2_0_0 + slice2cost_column_2_0;
+        slice2window_partial_2_1_1 <= slice2window_partial_2_0_1 + slice2cost_column_2_1;
         slice2window_partial_3_0_0 <= slice2cost_column_3_0;
         slice2window_partial_3_0_1 <= slice2cost_column_3_1;
-        slice2window_partial_3_1_0 <= slice2cost_column_3_0 + slice2window_partial_3_0_0;
-        slice2window_partial_3_1_1 <= slice2cost_column_3_1 + slice2window_partial_3_0_1;
+        slice2window_partial_3_1_0 <= slice2window_partial_3_0_0 + slice2cost_column_3_0;
+        slice2window_partial_3_1_1 <= slice2window_partial_3_0_1 + slice2cost_column_3_1;
       end if;
-      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
-      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
-      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
-      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
-      slice2window_sum_2_0 <= slice2cost_column_2_0 + slice2window_partial_2_1_0;
-      slice2window_sum_2_1 <= slice2cost_column_2_1 + slice2window_partial_2_1_1;
-      slice2window_sum_3_0 <= slice2cost_column_3_0 + slice2window_partial_3_1_0;
-      slice2window_sum_3_1 <= slice2cost_column_3_1 + slice2window_partial_3_1_1;
+      slice2window_sum_0_0 <= slice2window_partial_0_1_0 + slice2cost_column_0_0;
+      slice2window_sum_0_1 <= slice2window_partial_0_1_1 + slice2cost_column_0_1;
+      slice2window_sum_1_0 <= slice2window_partial_1_1_0 + slice2cost_column_1_0;
+      slice2window_sum_1_1 <= slice2window_partial_1_1_1 + slice2cost_column_1_1;
+      slice2window_sum_2_0 <= slice2window_partial_2_1_0 + slice2cost_column_2_0;
+      slice2window_sum_2_1 <= slice2window_partial_2_1_1 + slice2cost_column_2_1;
+      slice2window_sum_3_0 <= slice2window_partial_3_1_0 + slice2cost_column_3_0;
+      slice2window_sum_3_1 <= slice2window_partial_3_1_1 + slice2cost_column_3_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0_is_less := slice2window_sum_2_1 < slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0_is_less := slice2window_sum_3_1 < slice2window_sum_3_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
+      slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -1677,15 +1776,24 @@ begin
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_2_0 <= slice2winner2_best_cost_2_0;
+      slice2winner3_best_cost_3_0 <= slice2winner2_best_cost_3_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
+      slice2winner3_best_index_2_0 <= slice2winner2_best_index_2_0;
+      slice2winner3_best_index_3_0 <= slice2winner2_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when slice1_best_cost_2_0 < slice2winner2_best_cost_2_0 else
-        as_number(slice2winner2_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when slice1_best_cost_3_0 < slice2winner2_best_cost_3_0 else
-        as_number(slice2winner2_best_index_3_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner3_best_cost_2_0) < 0 else
+        as_number(slice2winner3_best_index_2_0);
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner3_best_cost_3_0) < 0 else
+        as_number(slice2winner3_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1695,12 +1803,12 @@ begin
       texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
       texture_taps_search_5_0 <= 31 when rows_inside_5 else 0;
       texture_passes_0_0 <= 59 < texturewindow_sum_0_0;
-      texture_passes_0_1 <= 59 < texturewindow_sum_2_0;
-      texture_passes_0_2 <= 59 < texturewindow_sum_1_0;
+      texture_passes_0_1 <= 59 < texturewindow_sum_1_0;
+      texture_passes_0_2 <= 59 < texturewindow_sum_2_0;
       texture_passes_0_3 <= 59 < texturewindow_sum_3_0;
       texture_passes_1_0 <= texture_passes_0_0;
-      texture_passes_1_1 <= texture_passes_0_2;
-      texture_passes_1_2 <= texture_passes_0_1;
+      texture_passes_1_1 <= texture_passes_0_1;
+      texture_passes_1_2 <= texture_passes_0_2;
       texture_passes_1_3 <= texture_passes_0_3;
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_2_1 <= texture_passes_1_1;
@@ -1714,57 +1822,74 @@ begin
       texture_passes_4_1 <= texture_passes_3_1;
       texture_passes_4_2 <= texture_passes_3_2;
       texture_passes_4_3 <= texture_passes_3_3;
+      texture_passes_5_0 <= texture_passes_4_0;
+      texture_passes_5_1 <= texture_passes_4_1;
+      texture_passes_5_2 <= texture_passes_4_2;
+      texture_passes_5_3 <= texture_passes_4_3;
       -- texturecost
       texturecost_pair_0_0_is_less := texturecost_difference_2_0 < 0;
-      texturecost_pair_0_0_choice := texturecost_reverse_0_0 when texturecost_pair_0_0_is_less else
-        positive_part(texturecost_difference_2_0);
-      texturecost_pair_1_0_choice := texturecost_reverse_1_0 when texturecost_difference_4_0 < 0 else
-        positive_part(texturecost_difference_4_0);
-      texturecost_pair_1_0_folded_value := folded(texturecost_difference_3_0);
+      if texturecost_pair_0_0_is_less then
+        texturecost_pair_0_0_choice := (65535 - texturecost_difference_2_0) mod 256;
+      else
+        texturecost_pair_0_0_choice := positive_part(texturecost_difference_2_0);
+      end if;
       texturecost_pair_1_0_is_less := texturecost_difference_3_0 < 0;
+      if texturecost_pair_1_0_is_less then
+        texturecost_pair_1_0_choice := (65535 - texturecost_difference_3_0) mod 256;
+      else
+        texturecost_pair_1_0_choice := positive_part(texturecost_difference_3_0);
+      end if;
+      texturecost_single_0_0_is_less := texturecost_difference_0_0 < 0;
+      if texturecost_single_0_0_is_less then
+        texturecost_single_0_0_choice := (65535 - texturecost_difference_0_0) mod 256;
+      else
+        texturecost_single_0_0_choice := positive_part(texturecost_difference_0_0);
+      end if;
+      texturecost_single_5_0_is_less := texturecost_difference_5_0 < 0;
+      if texturecost_single_5_0_is_less then
+        texturecost_single_5_0_choice := (65535 - texturecost_difference_5_0) mod 256;
+      else
+        texturecost_single_5_0_choice := positive_part(texturecost_difference_5_0);
+      end if;
       texturecost_difference_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_difference_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_difference_2_0 <= texture_taps_search_1_0 - slice0shift_reference_2;
       texturecost_difference_3_0 <= texture_taps_search_1_0 - slice0shift_reference_3;
       texturecost_difference_4_0 <= texture_taps_search_1_0 - slice0shift_reference_4;
       texturecost_difference_5_0 <= texture_taps_search_5_0 - slice0shift_reference_5;
-      texturecost_reverse_0_0 <= (slice0shift_reference_2 - texture_taps_search_1_0) mod 256;
-      texturecost_reverse_1_0 <= (slice0shift_reference_4 - texture_taps_search_1_0) mod 256;
-      texturecost_pair_0_0 <= (texturecost_pair_0_0_choice + folded(texturecost_difference_1_0) +
-        as_number((texturecost_difference_1_0 < 0))) mod 256;
-      texturecost_pair_1_0 <= (texturecost_pair_1_0_choice + texturecost_pair_1_0_folded_value +
-        as_number(texturecost_pair_1_0_is_less)) mod 256;
-      texturecost_single_0_0 <= folded(texturecost_difference_0_0);
-      texturecost_single_2_0 <= folded(texturecost_difference_2_0);
-      texturecost_single_3_0 <= texturecost_pair_1_0_folded_value;
-      texturecost_single_5_0 <= folded(texturecost_difference_5_0);
-      texturecost_negative_0_0 <= texturecost_difference_0_0 < 0;
-      texturecost_negative_2_0 <= texturecost_pair_0_0_is_less;
-      texturecost_negative_3_0 <= texturecost_pair_1_0_is_less;
-      texturecost_negative_5_0 <= texturecost_difference_5_0 < 0;
+      texturecost_pair_0_0 <= (as_number((texturecost_difference_1_0 < 0)) + folded(texturecost_difference_1_0) +
+        texturecost_pair_0_0_choice) mod 256;
+      texturecost_pair_1_0 <= (as_number(texturecost_pair_1_0_is_less) + texturecost_pair_1_0_choice +
+        folded(texturecost_difference_4_0)) mod 256;
+      texturecost_negative_0_0 <= texturecost_pair_0_0_is_less;
+      texturecost_negative_1_0 <= texturecost_difference_4_0 < 0;
+      texturecost_single_0_0 <= (texturecost_single_0_0_choice + as_number(texturecost_single_0_0_is_less)) mod 256;
+      texturecost_single_2_0 <= (texturecost_pair_0_0_choice + as_number(texturecost_pair_0_0_is_less)) mod 256;
+      texturecost_single_3_0 <= (texturecost_pair_1_0_choice + as_number(texturecost_pair_1_0_is_less)) mod 256;
+      texturecost_single_5_0 <= (texturecost_single_5_0_choice + as_number(texturecost_single_5_0_is_less)) mod 256;
       texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
         texturecost_pair_0_0 + texturecost_single_0_0) mod 256;
-      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_3_0) +
+      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
         texturecost_pair_0_0 + texturecost_single_3_0) mod 256;
-      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_2_0) +
+      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
         texturecost_pair_1_0 + texturecost_single_2_0) mod 256;
-      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_5_0) +
+      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
         texturecost_pair_1_0 + texturecost_single_5_0) mod 256;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
-        texturewindow_partial_0_1_0 <= texturecost_column_0_0 + texturewindow_partial_0_0_0;
+        texturewindow_partial_0_1_0 <= texturewindow_partial_0_0_0 + texturecost_column_0_0;
         texturewindow_partial_1_0_0 <= texturecost_column_1_0;
-        texturewindow_partial_1_1_0 <= texturecost_column_1_0 + texturewindow_partial_1_0_0;
+        texturewindow_partial_1_1_0 <= texturewindow_partial_1_0_0 + texturecost_column_1_0;
         texturewindow_partial_2_0_0 <= texturecost_column_2_0;
-        texturewindow_partial_2_1_0 <= texturecost_column_2_0 + texturewindow_partial_2_0_0;
+        texturewindow_partial_2_1_0 <= texturewindow_partial_2_0_0 + texturecost_column_2_0;
         texturewindow_partial_3_0_0 <= texturecost_column_3_0;
-        texturewindow_partial_3_1_0 <= texturecost_column_3_0 + texturewindow_partial_3_0_0;
+        texturewindow_partial_3_1_0 <= texturewindow_partial_3_0_0 + texturecost_column_3_0;
       end if;
-      texturewindow_sum_0_0 <= texturecost_column_0_0 + texturewindow_partial_0_1_0;
-      texturewindow_sum_1_0 <= texturecost_column_1_0 + texturewindow_partial_1_1_0;
-      texturewindow_sum_2_0 <= texturecost_column_2_0 + texturewindow_partial_2_1_0;
-      texturewindow_sum_3_0 <= texturecost_column_3_0 + texturewindow_partial_3_1_0;
+      texturewindow_sum_0_0 <= texturewindow_partial_0_1_0 + texturecost_column_0_0;
+      texturewindow_sum_1_0 <= texturewindow_partial_1_1_0 + texturecost_column_1_0;
+      texturewindow_sum_2_0 <= texturewindow_partial_2_1_0 + texturecost_column_2_0;
+      texturewindow_sum_3_0 <= texturewindow_partial_3_1_0 + texturecost_column_3_0;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -1779,14 +1904,16 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 4;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1832,14 +1959,18 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 21,
+      latency_clocks => 23,
       flush_groups => 65,
       gap_groups => 0,
-      core_id => x"573f45c6",
+      core_id => x"78f7e093",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 21,
+      latency_clocks => 23,
       flush_groups => 65,
       gap_groups => 0)
     port map (

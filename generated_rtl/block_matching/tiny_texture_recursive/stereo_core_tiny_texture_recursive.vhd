@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_texture_recursive: 32x12, 8 disparities, window 7x7, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_texture_recursive: 32x12, 8 disparities, window 7x7, 1 pixel pair a clock.
 -- Options: disparities 8, window_px 7, prefilter xsobel, texture_threshold 300, aggregation recursive,
 --   slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_tiny_texture_recursive is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 24;
+    latency_clocks : positive := 26;
     flush_groups : positive := 131;
     gap_groups : positive := 96
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_texture_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_texture_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_texture_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 24 report "stereo_core_tiny_texture_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 24" severity failure;
+  assert latency_clocks = 26 report "stereo_core_tiny_texture_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
   assert flush_groups = 131 report "stereo_core_tiny_texture_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 131" severity failure;
   assert gap_groups = 96 report "stereo_core_tiny_texture_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 96" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_texture_recursive is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_tiny_texture_recursive is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -105,9 +103,11 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
   signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
   signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 31;
   signal transform_write_column : natural range 0 to 31;
   signal transform_counter_group : natural range 0 to 15;
@@ -117,32 +117,31 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
   signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
   signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
-  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 63;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 63;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 127;
   signal raster_features_valid : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 7;
-  signal delay_ahead_0 : natural range 0 to 63;
-  signal delay_delayed_0 : unsigned(5 downto 0);
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_delayed_0 : unsigned(6 downto 0);
   signal delay_column : natural range 0 to 31;
   signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
   signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
   signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(27 downto 0);
-  signal rows_search_rows_read_words_1 : unsigned(19 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 63;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_1 : natural range 0 to 63;
-  signal rows_reference_1 : natural range 0 to 63;
+  signal rows_search_rows_read_words_1, rows_reference_rows_read_words_1 : unsigned(20 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_newest_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 127;
   signal rows_search_rows_ready_words_0, rows_search_rows_write_words_0 : natural range 0 to 268435455;
   signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : natural range 0 to 268435455;
-  signal rows_search_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 1048575;
-  signal rows_search_rows_write_words_1 : natural range 0 to 1040383;
-  signal rows_reference_rows_read_words_1 : unsigned(20 downto 0);
-  signal rows_reference_rows_ready_words_1 : natural range 0 to 2097151;
+  signal rows_search_rows_ready_words_1, rows_search_rows_write_words_1 : natural range 0 to 2097151;
+  signal rows_reference_rows_ready_words_1, rows_reference_rows_write_words_1 : natural range 0 to 2097151;
   signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
   signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
@@ -154,20 +153,18 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal rows_tag_valid, rows_tag_row_start, rows_tag_first_group, rows_tag_border_column : boolean;
   signal rows_tag_first_cost, rows_tag_leaves_window, rows_tag_output_column, rows_tag_start_of_frame : boolean;
   signal rows_tag_end_of_line : boolean;
-  signal rows_search_0, rows_reference_0 : natural range 0 to 127;
   -- slice0shift
   signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
-  signal slice0shift_reference_0, slice0shift_search_out_0 : natural range 0 to 127;
-  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 63;
-  signal slice0shift_reference_1, slice0shift_search_out_1 : natural range 0 to 63;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 127;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_search_out_0 : natural range 0 to 127;
+  signal slice0shift_search_out_1 : natural range 0 to 127;
   signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
   signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
   signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
   -- slice0cost
   signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice0cost_pixels_first_0_2 : integer range -127 to 127;
-  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice0cost_pixels_first_1_2 : integer range -63 to 63;
+  signal slice0cost_pixels_first_0_2, slice0cost_pixels_first_1_0 : integer range -127 to 127;
+  signal slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : integer range -127 to 127;
   signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
   signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
   signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
@@ -184,11 +181,11 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_leaves_window : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 64;
+  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 128;
   signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 31;
   signal slice0cost_write_column : natural range 0 to 31;
   signal slice0cost_read_words_0 : unsigned(26 downto 0);
-  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -128 to 64;
+  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -128 to 128;
   signal slice0cost_ready_words_0, slice0cost_write_words_0 : natural range 0 to 134217727;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 511;
   -- slice0window
@@ -204,20 +201,20 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
   signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
-  signal slice0window_centre_start_of_frame_2, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -511 to 511;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 4095;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0 : natural range 0 to 7;
@@ -225,20 +222,19 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
   signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
-  signal slice1shift_reference_0, slice1shift_search_out_0 : natural range 0 to 127;
-  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 63;
-  signal slice1shift_reference_1, slice1shift_search_out_1 : natural range 0 to 63;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 127;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_search_out_0 : natural range 0 to 127;
+  signal slice1shift_search_out_1 : natural range 0 to 127;
   -- slice1cost
   signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice1cost_pixels_first_0_2 : integer range -127 to 127;
-  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice1cost_pixels_first_1_2 : integer range -63 to 63;
+  signal slice1cost_pixels_first_0_2, slice1cost_pixels_first_1_0 : integer range -127 to 127;
+  signal slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : integer range -127 to 127;
   signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 128;
-  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 64;
+  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 128;
   signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 31;
   signal slice1cost_write_column : natural range 0 to 31;
   signal slice1cost_read_words_0 : unsigned(26 downto 0);
-  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -128 to 64;
+  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -128 to 128;
   signal slice1cost_ready_words_0, slice1cost_write_words_0 : natural range 0 to 134217727;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 511;
   -- slice1window
@@ -247,31 +243,32 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice1window_entering_0_0, slice1window_entering_0_1, slice1window_entering_0_2 : natural range 0 to 511;
   signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -511 to 511;
   signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0 : boolean;
-  signal slice1window_centre_first_column_0, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_first_column_0, slice1window_centre_start_of_frame_1 : boolean;
+  signal slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 4095;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 4095;
-  signal slice1winner1_best_index_0_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 4095;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_cost_0_0 : natural range 0 to 4095;
   signal slice1_best_index_0_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_reference_0 : natural range 0 to 127;
-  signal slice2shift_search_1_0, slice2shift_search_1_1, slice2shift_reference_1 : natural range 0 to 63;
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 127;
+  signal slice2shift_search_1_1, slice2shift_reference_0, slice2shift_reference_1 : natural range 0 to 127;
   -- slice2cost
   signal slice2cost_pixels_first_0_0, slice2cost_pixels_first_0_1 : integer range -127 to 127;
-  signal slice2cost_pixels_first_1_0, slice2cost_pixels_first_1_1 : integer range -63 to 63;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1 : natural range 0 to 128;
-  signal slice2cost_pixels_cost_1_0, slice2cost_pixels_cost_1_1 : natural range 0 to 64;
+  signal slice2cost_pixels_first_1_0, slice2cost_pixels_first_1_1 : integer range -127 to 127;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 128;
+  signal slice2cost_pixels_cost_1_1 : natural range 0 to 128;
   signal slice2cost_read_column, slice2cost_change_column, slice2cost_ready_column : natural range 0 to 31;
   signal slice2cost_write_column : natural range 0 to 31;
   signal slice2cost_read_words_0 : unsigned(17 downto 0);
-  signal slice2cost_change_0_0, slice2cost_change_0_1 : integer range -128 to 64;
+  signal slice2cost_change_0_0, slice2cost_change_0_1 : integer range -128 to 128;
   signal slice2cost_ready_words_0, slice2cost_write_words_0 : natural range 0 to 262143;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 511;
   -- slice2window
@@ -281,13 +278,17 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice2window_change_0_0, slice2window_change_0_1 : integer range -511 to 511;
   signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 4095;
   signal slice2window_centre_output_column_0, slice2window_centre_output_column_1 : boolean;
-  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
+  signal slice2window_centre_start_of_frame_1, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_end_of_line_1 : boolean;
   -- slice2winner1
   signal slice2winner1_best_cost_0_0 : natural range 0 to 4095;
   signal slice2winner1_best_index_0_0 : boolean;
   -- slice2winner2
   signal slice2winner2_best_cost_0_0 : natural range 0 to 4095;
   signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner3_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -295,13 +296,12 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   -- texture
   signal texture_taps_search_0_0, texture_taps_search_1_0 : natural range 0 to 31;
   signal texture_passes_0_0, texture_passes_1_0, texture_passes_2_0, texture_passes_3_0, texture_passes_4_0 : boolean;
+  signal texture_passes_5_0 : boolean;
   -- texturecost
-  signal texturecost_pixels_first_0_0 : integer range -127 to 31;
-  signal texturecost_pixels_first_1_0 : integer range -63 to 31;
-  signal texturecost_pixels_cost_0_0 : natural range 0 to 127;
-  signal texturecost_pixels_cost_1_0 : natural range 0 to 63;
+  signal texturecost_pixels_first_0_0, texturecost_pixels_first_1_0 : integer range -127 to 31;
+  signal texturecost_pixels_cost_0_0, texturecost_pixels_cost_1_0 : natural range 0 to 127;
   signal texturecost_read_words_0 : unsigned(8 downto 0);
-  signal texturecost_change_0_0 : integer range -127 to 63;
+  signal texturecost_change_0_0 : integer range -127 to 127;
   signal texturecost_ready_words_0, texturecost_column_0_0, texturecost_write_words_0 : natural range 0 to 511;
   -- texturewindow
   signal texturewindow_leaving_0 : unsigned(8 downto 0);
@@ -316,11 +316,11 @@ architecture rtl of stereo_core_tiny_texture_recursive is
   signal slice1cost_read_words_0_memory_write_data : unsigned(26 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(26 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(26 downto 0);
-  signal rows_search_rows_read_words_1_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
@@ -330,7 +330,7 @@ begin
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_0_0, 8));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_4_0), 1));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(texture_passes_5_0), 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
@@ -399,9 +399,9 @@ begin
       read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
       write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
 
-  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 20);
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 21);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 21)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_1,
@@ -431,9 +431,9 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 6);
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6)
+    generic map (depth => 8, width => 7)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
@@ -459,23 +459,17 @@ begin
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
     variable transform_counter_group_choice_2, transform_read_column_inside_0_differs : boolean;
-    variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
-    variable transform_right_filter_feature_0_is_less, transform_counter_next_frame_choice : boolean;
-    variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
-    variable transform_right_filter_column_0_0_choice_3, raster_place_column_choice : boolean;
-    variable delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
+    variable transform_left_filter_column_0_0_choice_3, transform_right_filter_column_0_0_choice_3 : boolean;
+    variable raster_place_column_choice, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
     variable slice2winner1_best_cost_0_0_is_less : boolean;
     variable transform_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 15;
-    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_choice_3 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_3 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 127;
     variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
@@ -515,25 +509,14 @@ begin
       transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
         transform_counter_group;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
-        transform_filtering_column_inside_0;
-      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
-      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
-      transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference mod 64;
-      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
-        transform_left_filter_feature_0_choice < 31 else 31;
-      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
-        transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
-      transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference mod 64;
-      transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
-        transform_right_filter_feature_0_choice < 31 else 31;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 128;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -575,16 +558,21 @@ begin
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
       transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
         when transform_counter_group_is_equal else transform_counter_next_frame;
       transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
@@ -630,13 +618,13 @@ begin
       -- raster
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_start_of_frame and transform_filtered_valid else
-        (raster_place_group + as_number(((raster_place_group /= 15) and transform_filtered_valid and
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= 0 when transform_filtering_2_start_of_frame and transform_filtering_2_valid else
+        (raster_place_group + as_number(((raster_place_group /= 15) and transform_filtering_2_valid and
         (raster_place_column = 31)))) mod 16;
-      raster_place_column_choice := transform_filtered_start_of_frame or ((raster_place_column mod 2) = 1) when
-        (raster_place_column / 2) = 15 else transform_filtered_start_of_frame;
-      if transform_filtered_valid then
+      raster_place_column_choice := transform_filtering_2_start_of_frame or ((raster_place_column mod 2) = 1) when
+        (raster_place_column / 2) = 15 else transform_filtering_2_start_of_frame;
+      if transform_filtering_2_valid then
         raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
       end if;
       -- delay
@@ -647,7 +635,7 @@ begin
       delay_tag_first_cost_is_equal := raster_place_column = 7;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65529) mod 65536) < 12;
+      delay_row_inside_0 <= raster_place_group >= 7;
       delay_row_inside_1 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
@@ -657,8 +645,8 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (((((raster_place_column / 2) + 32761) mod 32768) * 2) + (raster_place_column mod 2))
         < 65525;
-      delay_tag_output_column <= (((raster_place_group + 65533) mod 65536) < 12) and (((raster_place_column + 65529)
-        mod 65536) < 24);
+      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 15) and (raster_place_column >= 7)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -871,40 +859,44 @@ begin
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
         slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 4096;
       end if;
-      if slice0winner1_tag_valid then
-        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_2;
-      end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_1;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_1;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_1;
+        slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_1;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -998,23 +990,30 @@ begin
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
         slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 4096;
       end if;
+      if slice0winner1_pair_tag_valid then
+        slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
+      end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1080,25 +1079,29 @@ begin
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
       slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
       slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
         slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
         slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
+        slice2window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_1;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1111,6 +1114,7 @@ begin
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      texture_passes_5_0 <= texture_passes_4_0;
       -- texturecost
       texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
       texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
@@ -1153,10 +1157,12 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 15;
@@ -1226,18 +1232,20 @@ begin
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_1 <= false;
-        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1249,6 +1257,7 @@ begin
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
         slice1window_centre_output_column_0 <= false;
+        slice1window_centre_start_of_frame_1 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
@@ -1262,6 +1271,7 @@ begin
         slice2window_ring_write_address <= 0;
         slice2window_centre_output_column_0 <= false;
         slice2window_centre_output_column_1 <= false;
+        slice2window_centre_start_of_frame_1 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;
         slice2_best_tag_valid <= false;

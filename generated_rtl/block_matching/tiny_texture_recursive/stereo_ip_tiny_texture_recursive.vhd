@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 24,
+      latency_clocks => 26,
       flush_groups => 131,
       gap_groups => 96,
-      core_id => x"ebd3aef2",
+      core_id => x"b9458626",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 24,
+      latency_clocks => 26,
       flush_groups => 131,
       gap_groups => 96)
     port map (

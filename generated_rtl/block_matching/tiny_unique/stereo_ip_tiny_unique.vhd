@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"1b4d5d38",
+      core_id => x"5b654fe5",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0)
     port map (

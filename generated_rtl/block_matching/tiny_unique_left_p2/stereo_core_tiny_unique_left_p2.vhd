@@ -17,7 +17,7 @@ entity stereo_core_tiny_unique_left_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 17;
+    latency_clocks : positive := 18;
     flush_groups : positive := 33;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_unique_left_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_unique_left_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_unique_left_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 17 report "stereo_core_tiny_unique_left_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
+  assert latency_clocks = 18 report "stereo_core_tiny_unique_left_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
   assert flush_groups = 33 report "stereo_core_tiny_unique_left_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 33" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_unique_left_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_unique_left_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,16 +93,15 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   -- raster
   signal raster_features_search : natural range 0 to 65535;
   signal raster_features_reference_0, raster_features_reference_1 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
-  signal delay_ring_read_address, delay_ring_write_address, delay_row_inside_0, delay_row_inside_1 : boolean;
-  signal delay_row_inside_3, delay_tag_valid, delay_tag_border_column, delay_tag_output_column : boolean;
-  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   signal delay_ahead_0, delay_ahead_1 : natural range 0 to 255;
   signal delay_delayed_0 : natural range 0 to 65535;
   signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_3, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
   signal rows_search_rows_read_newest_0, rows_search_rows_read_newest_1 : natural range 0 to 255;
@@ -137,18 +134,16 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
-  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
-  signal slice0cost_reverse_1_0, slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
-  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
-  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 767;
   -- slice0window
@@ -162,17 +157,20 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 2301;
   signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 2301;
   -- slice0winner1
+  signal slice0winner1_held_0_0, slice0winner1_held_0_1, slice0winner1_held_0_2 : natural range 0 to 2301;
+  signal slice0winner1_held_1_0, slice0winner1_held_1_1, slice0winner1_held_1_2 : natural range 0 to 2301;
   signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner1_best_but_last_0_0, slice0winner1_best_but_last_1_0 : natural range 0 to 2301;
+  signal slice0winner1_best_late_cost_0_0, slice0winner1_best_late_cost_1_0 : natural range 0 to 2301;
   signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 2;
   signal slice0winner1_best_second_0_0, slice0winner1_best_second_1_0 : natural range 0 to 4095;
+  signal slice0winner1_best_but_last_0_0, slice0winner1_best_but_last_1_0 : natural range 0 to 4095;
   signal slice0winner1_tag_valid, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
   signal slice0winner1_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_but_last_0_0 : natural range 0 to 2301;
-  signal slice0_best_but_last_1_0 : natural range 0 to 2301;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 2;
-  signal slice0_best_second_0_0, slice0_best_second_1_0 : natural range 0 to 4095;
+  signal slice0_best_late_cost_0_0, slice0_best_late_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_second_0_0, slice0_best_second_1_0, slice0_best_but_last_0_0 : natural range 0 to 4095;
+  signal slice0_best_but_last_1_0 : natural range 0 to 4095;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
   -- slice1shift
@@ -188,12 +186,11 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2, slice1cost_tag_border_column : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -204,18 +201,23 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
   -- slice1winner1
+  signal slice1winner1_held_0_0, slice1winner1_held_0_1, slice1winner1_held_0_2 : natural range 0 to 2301;
+  signal slice1winner1_held_1_0, slice1winner1_held_1_1, slice1winner1_held_1_2 : natural range 0 to 2301;
   signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice1winner1_best_but_first_0_0, slice1winner1_best_but_first_1_0 : natural range 0 to 2301;
-  signal slice1winner1_best_but_last_0_0, slice1winner1_best_but_last_1_0 : natural range 0 to 2301;
+  signal slice1winner1_best_late_cost_0_0, slice1winner1_best_late_cost_1_0 : natural range 0 to 2301;
   signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
   signal slice1winner1_best_second_0_0, slice1winner1_best_second_1_0 : natural range 0 to 4095;
+  signal slice1winner1_best_but_first_0_0, slice1winner1_best_but_first_1_0 : natural range 0 to 4095;
+  signal slice1winner1_best_but_last_0_0, slice1winner1_best_but_last_1_0 : natural range 0 to 4095;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_but_last_0_0 : natural range 0 to 2301;
-  signal slice1_best_but_last_1_0 : natural range 0 to 2301;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_late_cost_0_0 : natural range 0 to 2301;
+  signal slice1_best_late_cost_1_0 : natural range 0 to 2301;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 5;
-  signal slice1_best_second_0_0, slice1_best_second_1_0 : natural range 0 to 4095;
-  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
-  signal slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_place_0_0, slice1_best_place_1_0, slice1_best_at_start_0_0, slice1_best_at_start_1_0 : boolean;
+  signal slice1_best_at_end_0_0, slice1_best_at_end_1_0, slice1_best_tag_valid, slice1_best_tag_output_column : boolean;
+  signal slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
+  signal slice1_best_second_0_0, slice1_best_second_1_0, slice1_best_but_last_0_0 : natural range 0 to 4095;
+  signal slice1_best_but_last_1_0 : natural range 0 to 4095;
   -- slice2shift
   signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
   signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
@@ -225,10 +227,10 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1, slice2cost_single_3_0, slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_3_0, slice2cost_negative_3_1 : boolean;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 767;
   signal slice2cost_column_1_1 : natural range 0 to 767;
   -- slice2window
@@ -239,28 +241,37 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 2301;
   signal slice2window_sum_1_1 : natural range 0 to 2301;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice2winner1_best_but_first_0_0, slice2winner1_best_but_first_1_0 : natural range 0 to 2301;
+  signal slice2winner1_held_0_1, slice2winner1_held_1_1, slice2winner1_best_cost_0_0 : natural range 0 to 2301;
+  signal slice2winner1_best_cost_1_0, slice2winner1_best_late_cost_0_0 : natural range 0 to 2301;
+  signal slice2winner1_best_late_cost_1_0 : natural range 0 to 2301;
   signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
-  signal slice2winner1_best_second_0_0 : natural range 0 to 4095;
+  signal slice2winner1_best_but_first_0_0, slice2winner1_best_but_first_1_0 : natural range 0 to 4095;
   -- slice2
-  signal slice2_best_cost_0_0, slice2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice2_best_cost_0_0, slice2_best_cost_1_0, slice2_best_late_cost_0_0 : natural range 0 to 2301;
+  signal slice2_best_late_cost_1_0 : natural range 0 to 2301;
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
+  signal slice2_best_place_0_0, slice2_best_place_1_0, slice2_best_at_start_0_0, slice2_best_at_start_1_0 : boolean;
+  signal slice2_best_at_end_0_0, slice2_best_at_end_1_0, slice2_best_tag_valid, slice2_best_tag_output_column : boolean;
+  signal slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
   signal slice2_best_second_0_0, slice2_best_second_1_0 : natural range 0 to 4095;
-  signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
-  signal slice2_best_tag_end_of_line : boolean;
   -- refinement
   signal refinement_disparity_0_0, refinement_disparity_0_1, refinement_disparity_1_0 : natural range 0 to 7;
   signal refinement_disparity_1_1, refinement_disparity_2_0, refinement_disparity_2_1 : natural range 0 to 7;
-  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_2_1 : boolean;
-  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
-  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
-  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
-  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
-  signal refinement_cost_0, refinement_cost_1 : natural range 0 to 2301;
+  signal refinement_disparity_3_0, refinement_disparity_3_1 : natural range 0 to 7;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_3_1, refinement_tag_0_valid, refinement_tag_0_output_column : boolean;
+  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
+  signal refinement_tag_1_output_column, refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line : boolean;
+  signal refinement_tag_2_valid, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
+  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_output_column : boolean;
+  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_alone_0_0 : boolean;
+  signal refinement_alone_0_1, refinement_alone_1_0, refinement_alone_1_1 : boolean;
   signal refinement_gap_0, refinement_gap_1 : natural range 0 to 4095;
-  signal refinement_scaled_gap_0, refinement_scaled_gap_1 : natural range 0 to 409500;
-  signal refinement_scaled_cost_0, refinement_scaled_cost_1 : natural range 0 to 92056;
+  signal refinement_lowest_0, refinement_lowest_1 : natural range 0 to 2301;
+  signal refinement_scaled_gap_0, refinement_scaled_gap_1 : natural range 0 to 20475;
+  signal refinement_scaled_cost_0, refinement_scaled_cost_1 : natural range 0 to 4602;
+  -- other
+  signal other_0, other_1, other_2, other_3 : boolean;
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
@@ -269,11 +280,11 @@ begin
   in_start_of_frame <= start_of_frame = '1';
   in_right_pixel <= to_integer(unsigned(right_pixel));
   in_left_pixel <= to_integer(unsigned(left_pixel));
-  disparity <= std_logic_vector(to_unsigned(refinement_disparity_2_1, 8) & to_unsigned(refinement_disparity_2_0, 8));
-  pixel_valid <= std_logic_vector(to_unsigned(as_number(refinement_passed_2_1), 1) & to_unsigned(as_number(refinement_passed_2_0), 1));
-  disparity_valid <= as_bit(refinement_tag_2_valid and refinement_tag_2_output_column);
-  disparity_start_of_frame <= as_bit(refinement_tag_2_start_of_frame and refinement_tag_2_valid and refinement_tag_2_output_column);
-  disparity_end_of_line <= as_bit(refinement_tag_2_end_of_line and refinement_tag_2_valid and refinement_tag_2_output_column);
+  disparity <= std_logic_vector(to_unsigned(refinement_disparity_3_1, 8) & to_unsigned(refinement_disparity_3_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(refinement_passed_3_1), 1) & to_unsigned(as_number(refinement_passed_3_0), 1));
+  disparity_valid <= as_bit(refinement_tag_3_valid and refinement_tag_3_output_column);
+  disparity_start_of_frame <= as_bit(refinement_tag_3_start_of_frame and refinement_tag_3_valid and refinement_tag_3_output_column);
+  disparity_end_of_line <= as_bit(refinement_tag_3_end_of_line and refinement_tag_3_valid and refinement_tag_3_output_column);
 
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
@@ -292,70 +303,64 @@ begin
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
-    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less : boolean;
     variable slice0winner1_best_cost_0_0_is_less_2, slice0winner1_best_cost_1_0_is_less : boolean;
     variable slice0winner1_best_cost_1_0_is_less_2, slice1winner1_best_cost_0_0_is_less : boolean;
     variable slice1winner1_best_cost_0_0_is_less_2, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_0_is_less_2, slice1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_1_0_is_less_2, slice1winner1_best_second_0_0_is_equal : boolean;
+    variable slice1winner1_best_second_1_0_is_equal, slice1_best_cost_0_0_is_less : boolean;
     variable slice1_best_cost_1_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
     variable slice2winner1_best_cost_1_0_is_less, slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
     variable slice0winner1_best_cost_0_0_choice, slice0winner1_best_cost_1_0_choice : natural range 0 to 2301;
     variable slice1winner1_best_cost_0_0_choice, slice1winner1_best_cost_1_0_choice : natural range 0 to 2301;
-    variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_3 : natural range 0 to 2301;
-    variable slice1_best_second_1_0_choice, slice1_best_second_1_0_choice_3 : natural range 0 to 2301;
-    variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_3 : natural range 0 to 2301;
-    variable slice2_best_second_1_0_choice, slice2_best_second_1_0_choice_3 : natural range 0 to 2301;
-    variable slice0winner1_best_second_0_0_choice, slice0winner1_best_second_1_0_choice : natural range 0 to 4095;
-    variable slice1winner1_best_second_0_0_choice, slice1winner1_best_second_1_0_choice : natural range 0 to 4095;
-    variable slice1_best_second_0_0_choice_2, slice1_best_second_0_0_choice_4 : natural range 0 to 4095;
-    variable slice1_best_second_1_0_choice_2, slice1_best_second_1_0_choice_4 : natural range 0 to 4095;
-    variable slice2_best_second_0_0_choice_2, slice2_best_second_0_0_choice_4 : natural range 0 to 4095;
-    variable slice2_best_second_1_0_choice_2, slice2_best_second_1_0_choice_4 : natural range 0 to 4095;
+    variable slice0winner1_best_second_0_0_choice, slice0winner1_best_second_0_0_choice_2 : natural range 0 to 4095;
+    variable slice0winner1_best_second_1_0_choice, slice0winner1_best_second_1_0_choice_2 : natural range 0 to 4095;
+    variable slice1winner1_best_second_0_0_choice, slice1winner1_best_second_0_0_choice_2 : natural range 0 to 4095;
+    variable slice1winner1_best_second_1_0_choice, slice1winner1_best_second_1_0_choice_2 : natural range 0 to 4095;
+    variable slice1_best_second_0_0_choice, slice1_best_second_0_0_choice_2 : natural range 0 to 4095;
+    variable slice1_best_second_0_0_choice_3, slice1_best_second_0_0_choice_4 : natural range 0 to 4095;
+    variable slice1_best_second_1_0_choice, slice1_best_second_1_0_choice_2 : natural range 0 to 4095;
+    variable slice1_best_second_1_0_choice_3, slice1_best_second_1_0_choice_4 : natural range 0 to 4095;
+    variable slice2_best_second_0_0_choice, slice2_best_second_0_0_choice_2 : natural range 0 to 4095;
+    variable slice2_best_second_0_0_choice_3, slice2_best_second_0_0_choice_4 : natural range 0 to 4095;
+    variable slice2_best_second_1_0_choice, slice2_best_second_1_0_choice_2 : natural range 0 to 4095;
+    variable slice2_best_second_1_0_choice_3, slice2_best_second_1_0_choice_4 : natural range 0 to 4095;
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
+        raster_place_group_is_equal and in_valid else raster_place_group;
       raster_features_search <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel mod 256;
       raster_features_reference_1 <= in_left_pixel / 256;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame <= delay_ring_read_address;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when raster_place_group_is_equal
-        else raster_features_start_of_frame;
+      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all when in_start_of_frame else
-          raster_features_start_of_frame_choice_2;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
-      delay_ring_read_address <= slice2_best_second_1_0 = 4095;
-      delay_ring_write_address <= slice0cost_reverse_1_0;
       delay_ahead_0 <= raster_features_reference_0;
       delay_ahead_1 <= raster_features_reference_1;
       delay_delayed_0 <= raster_features_search;
@@ -366,8 +371,8 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and ((((((raster_place_column / 8) +
-        8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and ((((((raster_place_column /
+        8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -448,12 +453,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -466,50 +465,43 @@ begin
       slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
       slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
       slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_1_0 <= slice2_best_second_0_0 = 4095;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -544,16 +536,24 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_0_choice := slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0_is_less_2 := slice0window_sum_0_2 < slice0winner1_best_cost_0_0_choice;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
+      slice0winner1_best_cost_0_0_is_less_2 := (slice0window_sum_0_2 - slice0winner1_best_cost_0_0_choice) < 0;
+      slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
       slice0winner1_best_cost_1_0_choice := slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
         slice0window_sum_1_0;
-      slice0winner1_best_cost_1_0_is_less_2 := slice0window_sum_1_2 < slice0winner1_best_cost_1_0_choice;
-      slice0winner1_best_second_0_0_choice := 4095 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_2;
-      slice0winner1_best_second_1_0_choice := 4095 when slice0winner1_best_cost_1_0_is_less else slice0window_sum_1_2;
+      slice0winner1_best_cost_1_0_is_less_2 := (slice0window_sum_1_2 - slice0winner1_best_cost_1_0_choice) < 0;
+      slice0winner1_best_second_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 = 0 else 4095;
+      slice0winner1_best_second_0_0_choice_2 := slice0winner1_held_0_0 when other_1 else 4095;
+      slice0winner1_best_second_1_0_choice := slice0winner1_held_1_2 when slice0winner1_best_index_1_0 = 0 else 4095;
+      slice0winner1_best_second_1_0_choice_2 := slice0winner1_held_1_0 when other_3 else 4095;
+      slice0winner1_held_0_0 <= slice0window_sum_0_0;
+      slice0winner1_held_0_1 <= slice0window_sum_0_1;
+      slice0winner1_held_0_2 <= slice0window_sum_0_2;
+      slice0winner1_held_1_0 <= slice0window_sum_1_0;
+      slice0winner1_held_1_1 <= slice0window_sum_1_1;
+      slice0winner1_held_1_2 <= slice0window_sum_1_2;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_0_is_less_2 else
         slice0winner1_best_cost_0_0_choice;
       slice0winner1_best_cost_1_0 <= slice0window_sum_1_2 when slice0winner1_best_cost_1_0_is_less_2 else
@@ -562,12 +562,16 @@ begin
         as_number(slice0winner1_best_cost_0_0_is_less);
       slice0winner1_best_index_1_0 <= 2 when slice0winner1_best_cost_1_0_is_less_2 else
         as_number(slice0winner1_best_cost_1_0_is_less);
-      slice0winner1_best_second_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less_2 else
-        slice0winner1_best_second_0_0_choice;
-      slice0winner1_best_second_1_0 <= slice0window_sum_1_0 when slice0winner1_best_cost_1_0_is_less_2 else
-        slice0winner1_best_second_1_0_choice;
-      slice0winner1_best_but_last_0_0 <= slice0winner1_best_cost_0_0_choice;
-      slice0winner1_best_but_last_1_0 <= slice0winner1_best_cost_1_0_choice;
+      slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0winner1_best_late_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0winner1_best_second_0_0 <= slice0winner1_best_second_0_0_choice when (slice0winner1_best_second_0_0_choice
+        - slice0winner1_best_second_0_0_choice_2) < 0 else slice0winner1_best_second_0_0_choice_2;
+      slice0winner1_best_second_1_0 <= slice0winner1_best_second_1_0_choice when (slice0winner1_best_second_1_0_choice
+        - slice0winner1_best_second_1_0_choice_2) < 0 else slice0winner1_best_second_1_0_choice_2;
+      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_1 when (slice0winner1_held_0_1 - slice0winner1_held_0_0)
+        < 0 else slice0winner1_held_0_0;
+      slice0winner1_best_but_last_1_0 <= slice0winner1_held_1_1 when (slice0winner1_held_1_1 - slice0winner1_held_1_0)
+        < 0 else slice0winner1_held_1_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
@@ -575,10 +579,10 @@ begin
         slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
       end if;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
       slice0_best_index_0_0 <= slice0winner1_best_index_0_0;
       slice0_best_index_1_0 <= slice0winner1_best_index_1_0;
+      slice0_best_late_cost_0_0 <= slice0winner1_best_late_cost_0_0;
+      slice0_best_late_cost_1_0 <= slice0winner1_best_late_cost_1_0;
       slice0_best_second_0_0 <= slice0winner1_best_second_0_0;
       slice0_best_second_1_0 <= slice0winner1_best_second_1_0;
       slice0_best_but_last_0_0 <= slice0winner1_best_but_last_0_0;
@@ -611,12 +615,6 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_2;
       slice1shift_search_out_3 <= slice1shift_search_3_2;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -629,39 +627,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -685,16 +677,28 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_0_choice := slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0_is_less_2 := slice1window_sum_0_2 < slice1winner1_best_cost_0_0_choice;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
+      slice1winner1_best_cost_0_0_is_less_2 := (slice1window_sum_0_2 - slice1winner1_best_cost_0_0_choice) < 0;
+      slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
       slice1winner1_best_cost_1_0_choice := slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
         slice1window_sum_1_0;
-      slice1winner1_best_cost_1_0_is_less_2 := slice1window_sum_1_2 < slice1winner1_best_cost_1_0_choice;
-      slice1winner1_best_second_0_0_choice := 4095 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_2;
-      slice1winner1_best_second_1_0_choice := 4095 when slice1winner1_best_cost_1_0_is_less else slice1window_sum_1_2;
+      slice1winner1_best_cost_1_0_is_less_2 := (slice1window_sum_1_2 - slice1winner1_best_cost_1_0_choice) < 0;
+      slice1winner1_best_second_0_0_is_equal := slice1winner1_best_index_0_0 = 0;
+      slice1winner1_best_second_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_second_0_0_is_equal else
+        4095;
+      slice1winner1_best_second_0_0_choice_2 := slice1winner1_held_0_0 when other_0 else 4095;
+      slice1winner1_best_second_1_0_is_equal := slice1winner1_best_index_1_0 = 0;
+      slice1winner1_best_second_1_0_choice := slice1winner1_held_1_2 when slice1winner1_best_second_1_0_is_equal else
+        4095;
+      slice1winner1_best_second_1_0_choice_2 := slice1winner1_held_1_0 when other_2 else 4095;
+      slice1winner1_held_0_0 <= slice1window_sum_0_0;
+      slice1winner1_held_0_1 <= slice1window_sum_0_1;
+      slice1winner1_held_0_2 <= slice1window_sum_0_2;
+      slice1winner1_held_1_0 <= slice1window_sum_1_0;
+      slice1winner1_held_1_1 <= slice1window_sum_1_1;
+      slice1winner1_held_1_2 <= slice1window_sum_1_2;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_0_is_less_2 else
         slice1winner1_best_cost_0_0_choice;
       slice1winner1_best_cost_1_0 <= slice1window_sum_1_2 when slice1winner1_best_cost_1_0_is_less_2 else
@@ -703,49 +707,65 @@ begin
         as_number(slice1winner1_best_cost_0_0_is_less);
       slice1winner1_best_index_1_0 <= 2 when slice1winner1_best_cost_1_0_is_less_2 else
         as_number(slice1winner1_best_cost_1_0_is_less);
-      slice1winner1_best_second_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less_2 else
-        slice1winner1_best_second_0_0_choice;
-      slice1winner1_best_second_1_0 <= slice1window_sum_1_0 when slice1winner1_best_cost_1_0_is_less_2 else
-        slice1winner1_best_second_1_0_choice;
-      slice1winner1_best_but_first_0_0 <= slice1window_sum_0_1 when slice1window_sum_0_1 < slice1window_sum_0_2 else
-        slice1window_sum_0_2;
-      slice1winner1_best_but_first_1_0 <= slice1window_sum_1_1 when slice1window_sum_1_1 < slice1window_sum_1_2 else
-        slice1window_sum_1_2;
-      slice1winner1_best_but_last_0_0 <= slice1winner1_best_cost_0_0_choice;
-      slice1winner1_best_but_last_1_0 <= slice1winner1_best_cost_1_0_choice;
+      slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
+      slice1winner1_best_late_cost_1_0 <= slice1winner1_best_cost_1_0;
+      slice1winner1_best_second_0_0 <= slice1winner1_best_second_0_0_choice when (slice1winner1_best_second_0_0_choice
+        - slice1winner1_best_second_0_0_choice_2) < 0 else slice1winner1_best_second_0_0_choice_2;
+      slice1winner1_best_second_1_0 <= slice1winner1_best_second_1_0_choice when (slice1winner1_best_second_1_0_choice
+        - slice1winner1_best_second_1_0_choice_2) < 0 else slice1winner1_best_second_1_0_choice_2;
+      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_2 when (slice1winner1_held_0_2 - slice1winner1_held_0_1)
+        < 0 else slice1winner1_held_0_1;
+      slice1winner1_best_but_first_1_0 <= slice1winner1_held_1_2 when (slice1winner1_held_1_2 - slice1winner1_held_1_1)
+        < 0 else slice1winner1_held_1_1;
+      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_1 when (slice1winner1_held_0_1 - slice1winner1_held_0_0)
+        < 0 else slice1winner1_held_0_0;
+      slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_1 when (slice1winner1_held_1_1 - slice1winner1_held_1_0)
+        < 0 else slice1winner1_held_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice1winner1_best_cost_0_0 < slice0_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice1winner1_best_cost_1_0 < slice0_best_cost_1_0;
-      slice1_best_second_0_0_choice := slice0_best_but_last_0_0 when slice1winner1_best_index_0_0 = 0 else
-        slice0_best_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice when slice1_best_second_0_0_choice <
-        slice1winner1_best_second_0_0 else slice1winner1_best_second_0_0;
-      slice1_best_second_0_0_choice_3 := slice1winner1_best_but_first_0_0 when slice0_best_index_0_0 = 2 else
-        slice1winner1_best_cost_0_0;
-      slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3 when slice1_best_second_0_0_choice_3 <
-        slice0_best_second_0_0 else slice0_best_second_0_0;
-      slice1_best_second_1_0_choice := slice0_best_but_last_1_0 when slice1winner1_best_index_1_0 = 0 else
-        slice0_best_cost_1_0;
-      slice1_best_second_1_0_choice_2 := slice1_best_second_1_0_choice when slice1_best_second_1_0_choice <
-        slice1winner1_best_second_1_0 else slice1winner1_best_second_1_0;
-      slice1_best_second_1_0_choice_3 := slice1winner1_best_but_first_1_0 when slice0_best_index_1_0 = 2 else
-        slice1winner1_best_cost_1_0;
-      slice1_best_second_1_0_choice_4 := slice1_best_second_1_0_choice_3 when slice1_best_second_1_0_choice_3 <
-        slice0_best_second_1_0 else slice0_best_second_1_0;
-      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice0_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice1winner1_best_cost_0_0 - slice0winner1_best_late_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice1winner1_best_cost_1_0 - slice0winner1_best_late_cost_1_0) < 0;
+      slice1_best_second_0_0_choice := slice1winner1_best_second_0_0 when slice1_best_place_0_0 else
+        slice1winner1_best_late_cost_0_0;
+      slice1_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_0 when slice1_best_at_end_0_0 else
+        slice1_best_second_0_0_choice;
+      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
+        slice0_best_second_0_0;
+      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
+        slice1_best_second_0_0_choice_3;
+      slice1_best_second_1_0_choice := slice1winner1_best_second_1_0 when slice1_best_place_1_0 else
+        slice1winner1_best_late_cost_1_0;
+      slice1_best_second_1_0_choice_2 := slice1winner1_best_but_first_1_0 when slice1_best_at_end_1_0 else
+        slice1_best_second_1_0_choice;
+      slice1_best_second_1_0_choice_3 := slice0_best_late_cost_1_0 when slice1_best_place_1_0 else
+        slice0_best_second_1_0;
+      slice1_best_second_1_0_choice_4 := slice0_best_but_last_1_0 when slice1_best_at_start_1_0 else
+        slice1_best_second_1_0_choice_3;
+      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when slice1_best_cost_0_0_is_less else
+        slice0winner1_best_late_cost_0_0;
+      slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0 when slice1_best_cost_1_0_is_less else
+        slice0winner1_best_late_cost_1_0;
       slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
         slice0_best_index_0_0;
       slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
         slice0_best_index_1_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when slice1_best_cost_0_0_is_less else
-        slice1_best_second_0_0_choice_4;
-      slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2 when slice1_best_cost_1_0_is_less else
-        slice1_best_second_1_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner1_best_but_last_0_0 when slice1winner1_best_but_last_0_0 <
-        slice0_best_cost_0_0 else slice0_best_cost_0_0;
-      slice1_best_but_last_1_0 <= slice1winner1_best_but_last_1_0 when slice1winner1_best_but_last_1_0 <
-        slice0_best_cost_1_0 else slice0_best_cost_1_0;
+      slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
+      slice1_best_place_1_0 <= slice1_best_cost_1_0_is_less;
+      slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1winner1_best_second_0_0_is_equal;
+      slice1_best_at_start_1_0 <= slice1_best_cost_1_0_is_less and slice1winner1_best_second_1_0_is_equal;
+      slice1_best_at_end_0_0 <= ((slice1winner1_best_cost_0_0 - slice0winner1_best_late_cost_0_0) >= 0) and
+        (slice0_best_index_0_0 = 2);
+      slice1_best_at_end_1_0 <= ((slice1winner1_best_cost_1_0 - slice0winner1_best_late_cost_1_0) >= 0) and
+        (slice0_best_index_1_0 = 2);
+      slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
+      slice1_best_late_cost_1_0 <= slice1_best_cost_1_0;
+      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
+        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
+      slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2 when (slice1_best_second_1_0_choice_2 -
+        slice1_best_second_1_0_choice_4) < 0 else slice1_best_second_1_0_choice_4;
+      slice1_best_but_last_0_0 <= slice1winner1_best_but_last_0_0 when (slice1winner1_best_but_last_0_0 -
+        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
+      slice1_best_but_last_1_0 <= slice1winner1_best_but_last_1_0 when (slice1winner1_best_but_last_1_0 -
+        slice0_best_late_cost_1_0) < 0 else slice0_best_late_cost_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -766,10 +786,6 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       slice2shift_reference_3 <= slice1shift_reference_3;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -778,28 +794,24 @@ begin
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_3_0 <= folded(slice2cost_difference_3_0);
-      slice2cost_single_3_1 <= folded(slice2cost_difference_3_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_3_0 <= slice2cost_difference_3_0 < 0;
-      slice2cost_negative_3_1 <= slice2cost_difference_3_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
+      slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -816,46 +828,57 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_held_0_1 <= slice2window_sum_0_1;
+      slice2winner1_held_1_1 <= slice2window_sum_1_1;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
         slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      slice2winner1_best_second_0_0 <= 4095;
-      slice2winner1_best_but_first_0_0 <= slice2window_sum_0_1;
-      slice2winner1_best_but_first_1_0 <= slice2window_sum_1_1;
+      slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner1_best_late_cost_1_0 <= slice2winner1_best_cost_1_0;
+      slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
+      slice2winner1_best_but_first_1_0 <= slice2winner1_held_1_1;
       -- slice2
-      slice2_best_cost_0_0_is_less := slice2winner1_best_cost_0_0 < slice1_best_cost_0_0;
-      slice2_best_cost_1_0_is_less := slice2winner1_best_cost_1_0 < slice1_best_cost_1_0;
-      slice2_best_second_0_0_choice := slice1_best_cost_0_0 when slice2winner1_best_index_0_0 else
-        slice1_best_but_last_0_0;
-      slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice when slice2_best_second_0_0_choice <
-        slice2winner1_best_second_0_0 else slice2winner1_best_second_0_0;
-      slice2_best_second_0_0_choice_3 := slice2winner1_best_but_first_0_0 when slice1_best_index_0_0 = 5 else
-        slice2winner1_best_cost_0_0;
-      slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3 when slice2_best_second_0_0_choice_3 <
-        slice1_best_second_0_0 else slice1_best_second_0_0;
-      slice2_best_second_1_0_choice := slice1_best_cost_1_0 when slice2winner1_best_index_1_0 else
-        slice1_best_but_last_1_0;
-      slice2_best_second_1_0_choice_2 := slice2_best_second_1_0_choice when slice2_best_second_1_0_choice <
-        slice2winner1_best_second_0_0 else slice2winner1_best_second_0_0;
-      slice2_best_second_1_0_choice_3 := slice2winner1_best_but_first_1_0 when slice1_best_index_1_0 = 5 else
-        slice2winner1_best_cost_1_0;
-      slice2_best_second_1_0_choice_4 := slice2_best_second_1_0_choice_3 when slice2_best_second_1_0_choice_3 <
-        slice1_best_second_1_0 else slice1_best_second_1_0;
+      slice2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0 - slice1_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_0 - slice1_best_cost_1_0) < 0;
+      slice2_best_second_0_0_choice := 4095 when slice2_best_place_0_0 else slice2winner1_best_late_cost_0_0;
+      slice2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_0 when slice2_best_at_end_0_0 else
+        slice2_best_second_0_0_choice;
+      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
+        slice1_best_second_0_0;
+      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
+        slice2_best_second_0_0_choice_3;
+      slice2_best_second_1_0_choice := 4095 when slice2_best_place_1_0 else slice2winner1_best_late_cost_1_0;
+      slice2_best_second_1_0_choice_2 := slice2winner1_best_but_first_1_0 when slice2_best_at_end_1_0 else
+        slice2_best_second_1_0_choice;
+      slice2_best_second_1_0_choice_3 := slice1_best_late_cost_1_0 when slice2_best_place_1_0 else
+        slice1_best_second_1_0;
+      slice2_best_second_1_0_choice_4 := slice1_best_but_last_1_0 when slice2_best_at_start_1_0 else
+        slice2_best_second_1_0_choice_3;
       slice2_best_cost_0_0 <= slice2winner1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
       slice2_best_cost_1_0 <= slice2winner1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
       slice2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
         slice1_best_index_0_0;
       slice2_best_index_1_0 <= as_number(slice2winner1_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
         slice1_best_index_1_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when slice2_best_cost_0_0_is_less else
-        slice2_best_second_0_0_choice_4;
-      slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2 when slice2_best_cost_1_0_is_less else
-        slice2_best_second_1_0_choice_4;
+      slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
+      slice2_best_place_1_0 <= slice2_best_cost_1_0_is_less;
+      slice2_best_at_start_0_0 <= slice2_best_cost_0_0_is_less and (not slice2winner1_best_index_0_0);
+      slice2_best_at_start_1_0 <= slice2_best_cost_1_0_is_less and (not slice2winner1_best_index_1_0);
+      slice2_best_at_end_0_0 <= ((slice2winner1_best_cost_0_0 - slice1_best_cost_0_0) >= 0) and (slice1_best_index_0_0
+        = 5);
+      slice2_best_at_end_1_0 <= ((slice2winner1_best_cost_1_0 - slice1_best_cost_1_0) >= 0) and (slice1_best_index_1_0
+        = 5);
+      slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
+      slice2_best_late_cost_1_0 <= slice2_best_cost_1_0;
+      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
+        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
+      slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2 when (slice2_best_second_1_0_choice_2 -
+        slice2_best_second_1_0_choice_4) < 0 else slice2_best_second_1_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -867,12 +890,15 @@ begin
       refinement_disparity_1_1 <= refinement_disparity_0_1;
       refinement_disparity_2_0 <= refinement_disparity_1_0;
       refinement_disparity_2_1 <= refinement_disparity_1_1;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_3_1 <= refinement_disparity_2_1;
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
-      refinement_passed_2_0 <= refinement_passed_1_0 when delay_ring_write_address else refinement_passed_1_0 and
-        ((refinement_scaled_cost_0 / 4) < (refinement_scaled_gap_0 / 4));
-      refinement_passed_2_1 <= refinement_passed_1_0 when raster_place_next_frame else ((refinement_scaled_cost_1 / 4)
-        < (refinement_scaled_gap_1 / 4)) and refinement_passed_1_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_1 else refinement_passed_2_0 and
+        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      refinement_passed_3_1 <= refinement_passed_2_0 when refinement_alone_1_0 else ((refinement_scaled_cost_1 -
+        refinement_scaled_gap_1) < 0) and refinement_passed_2_0;
       refinement_tag_0_valid <= slice2_best_tag_valid;
       refinement_tag_0_output_column <= slice2_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -885,19 +911,32 @@ begin
       refinement_tag_2_output_column <= refinement_tag_1_output_column;
       refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
       refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
-      refinement_cost_0 <= slice2_best_cost_0_0;
-      refinement_cost_1 <= slice2_best_cost_1_0;
-      refinement_gap_0 <= (slice2_best_second_0_0 - slice2_best_cost_0_0) mod 4096;
-      refinement_gap_1 <= (slice2_best_second_1_0 - slice2_best_cost_1_0) mod 4096;
-      refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
-      refinement_scaled_gap_1 <= (refinement_gap_1 * 25) * 4;
-      refinement_scaled_cost_0 <= (((refinement_cost_0 + (refinement_cost_0 / 4)) * 4) + (refinement_cost_0 mod 4)) * 8;
-      refinement_scaled_cost_1 <= (((refinement_cost_1 + (refinement_cost_1 / 4)) * 4) + (refinement_cost_1 mod 4)) * 8;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_alone_0_0 <= slice2_best_second_1_0 = 4095;
+      refinement_alone_0_1 <= slice2_best_second_0_0 = 4095;
+      refinement_alone_1_0 <= refinement_alone_0_0;
+      refinement_alone_1_1 <= refinement_alone_0_1;
+      refinement_gap_0 <= (slice2_best_second_0_0 - slice2_best_late_cost_0_0) mod 4096;
+      refinement_gap_1 <= (slice2_best_second_1_0 - slice2_best_late_cost_1_0) mod 4096;
+      refinement_lowest_0 <= slice2_best_late_cost_0_0;
+      refinement_lowest_1 <= slice2_best_late_cost_1_0;
+      refinement_scaled_gap_0 <= ((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4);
+      refinement_scaled_gap_1 <= ((refinement_gap_1 + (refinement_gap_1 / 4)) * 4) + (refinement_gap_1 mod 4);
+      refinement_scaled_cost_0 <= refinement_lowest_0 * 2;
+      refinement_scaled_cost_1 <= refinement_lowest_1 * 2;
+      -- other
+      other_0 <= slice1winner1_best_cost_0_0_is_less_2;
+      other_1 <= slice0winner1_best_cost_0_0_is_less_2;
+      other_2 <= slice1winner1_best_cost_1_0_is_less_2;
+      other_3 <= slice0winner1_best_cost_1_0_is_less_2;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
+        raster_place_next_frame <= false;
         delay_column <= 0;
         delay_tag_valid <= false;
         delay_tag_output_column <= false;
@@ -969,6 +1008,10 @@ begin
         refinement_tag_2_output_column <= false;
         refinement_tag_2_start_of_frame <= false;
         refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
       end if;
     end if;
   end process;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 17,
+      latency_clocks => 18,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"88c1a719",
+      core_id => x"e52e2b33",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 17,
+      latency_clocks => 18,
       flush_groups => 33,
       gap_groups => 0)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_w10_recursive_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 23;
-    latency_clocks : positive := 18;
+    latency_clocks : positive := 19;
     flush_groups : positive := 35;
     gap_groups : positive := 32
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_w10_recursive_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w10_recursive_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 23 report "stereo_core_tiny_w10_recursive_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 23" severity failure;
-  assert latency_clocks = 18 report "stereo_core_tiny_w10_recursive_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert latency_clocks = 19 report "stereo_core_tiny_w10_recursive_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 35 report "stereo_core_tiny_w10_recursive_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 35" severity failure;
   assert gap_groups = 32 report "stereo_core_tiny_w10_recursive_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 32" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w10_recursive_p4 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -222,9 +220,10 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
-  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_output_column_1 : boolean;
+  signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_start_of_frame_2 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_centre_end_of_line_1, slice0window_tag_valid : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
   signal slice0window_change_1_0, slice0window_change_1_1, slice0window_change_1_2 : integer range -4095 to 4095;
   signal slice0window_change_2_0, slice0window_change_2_1, slice0window_change_2_2 : integer range -4095 to 4095;
@@ -234,21 +233,27 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 32767;
   signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 32767;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
-  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 32767;
-  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_3_0 : natural range 0 to 32767;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 32767;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
+  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 32767;
   signal slice0_best_cost_3_0 : natural range 0 to 32767;
@@ -318,25 +323,30 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice1window_change_1_0, slice1window_change_1_1, slice1window_change_1_2 : integer range -4095 to 4095;
   signal slice1window_change_2_0, slice1window_change_2_1, slice1window_change_2_2 : integer range -4095 to 4095;
   signal slice1window_change_3_0, slice1window_change_3_1, slice1window_change_3_2 : integer range -4095 to 4095;
-  signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_0 : boolean;
-  signal slice1window_centre_first_column_0, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_change_tag_leaves_window, slice1window_centre_output_column_1 : boolean;
+  signal slice1window_centre_first_column_0, slice1window_centre_start_of_frame_2 : boolean;
+  signal slice1window_centre_end_of_line_1 : boolean;
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 32767;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 32767;
   signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 32767;
   signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 32767;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 32767;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
-  signal slice1winner1_best_index_3_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 32767;
-  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_3_0 : natural range 0 to 32767;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 32767;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
+  signal slice1winner1_pair_index_3_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 32767;
   signal slice1_best_cost_3_0 : natural range 0 to 32767;
@@ -407,22 +417,26 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice2window_sum_1_0, slice2window_sum_1_1, slice2window_sum_1_2 : natural range 0 to 32767;
   signal slice2window_sum_2_0, slice2window_sum_2_1, slice2window_sum_2_2 : natural range 0 to 32767;
   signal slice2window_sum_3_0, slice2window_sum_3_1, slice2window_sum_3_2 : natural range 0 to 32767;
-  signal slice2window_centre_output_column_0, slice2window_centre_output_column_1 : boolean;
-  signal slice2window_centre_start_of_frame_0, slice2window_centre_start_of_frame_1 : boolean;
-  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
+  signal slice2window_centre_output_column_1, slice2window_centre_output_column_2 : boolean;
+  signal slice2window_centre_start_of_frame_2, slice2window_centre_end_of_line_1 : boolean;
   signal slice2window_centre_end_of_line_2 : boolean;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_1_0, slice2winner1_best_cost_1_1 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_2_1 : natural range 0 to 32767;
-  signal slice2winner1_best_cost_3_0, slice2winner1_best_cost_3_1 : natural range 0 to 32767;
-  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0, slice2winner1_best_index_2_0 : boolean;
-  signal slice2winner1_best_index_3_0 : boolean;
-  -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 32767;
-  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_3_0 : natural range 0 to 32767;
-  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice2winner2_best_index_2_0, slice2winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice2winner1_of_pair_0_0, slice2winner1_of_pair_0_1, slice2winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice2winner1_of_pair_1_0, slice2winner1_of_pair_1_1, slice2winner1_of_pair_1_2 : natural range 0 to 32767;
+  signal slice2winner1_of_pair_2_0, slice2winner1_of_pair_2_1, slice2winner1_of_pair_2_2 : natural range 0 to 32767;
+  signal slice2winner1_of_pair_3_0, slice2winner1_of_pair_3_1, slice2winner1_of_pair_3_2 : natural range 0 to 32767;
+  signal slice2winner1_of_four_0_0, slice2winner1_of_four_0_1, slice2winner1_of_four_0_2 : natural range 0 to 32767;
+  signal slice2winner1_of_four_1_0, slice2winner1_of_four_1_1, slice2winner1_of_four_1_2 : natural range 0 to 32767;
+  signal slice2winner1_of_four_2_0, slice2winner1_of_four_2_1, slice2winner1_of_four_2_2 : natural range 0 to 32767;
+  signal slice2winner1_of_four_3_0, slice2winner1_of_four_3_1, slice2winner1_of_four_3_2 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 32767;
+  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_3_0 : natural range 0 to 32767;
+  signal slice2winner1_pair_index_0_0, slice2winner1_pair_index_1_0, slice2winner1_pair_index_2_0 : boolean;
+  signal slice2winner1_pair_index_3_0 : boolean;
+  signal slice2winner1_four_index_0_0, slice2winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice2winner1_four_index_2_0, slice2winner1_four_index_3_0 : natural range 0 to 2;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice2winner1_best_index_2_0, slice2winner1_best_index_3_0 : natural range 0 to 2;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 9;
   signal slice2_best_index_3_0 : natural range 0 to 9;
@@ -723,20 +737,20 @@ begin
 
   process (clock)
     variable raster_place_column_choice, delay_row_inside_0_value, delay_tag_first_cost_is_equal : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_2_0_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_2_0_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
+    variable slice0winner1_of_pair_2_0_is_less, slice0winner1_of_pair_3_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner1_of_four_1_0_is_less : boolean;
+    variable slice0winner1_of_four_2_0_is_less, slice0winner1_of_four_3_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
+    variable slice1winner1_of_pair_2_0_is_less, slice1winner1_of_pair_3_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_1_0_is_less : boolean;
+    variable slice1winner1_of_four_2_0_is_less, slice1winner1_of_four_3_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice1_best_cost_2_0_is_less : boolean;
-    variable slice1_best_cost_3_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_1_0_is_less, slice2winner1_best_cost_2_0_is_less : boolean;
-    variable slice2winner1_best_cost_3_0_is_less, slice2winner2_best_cost_0_0_is_less : boolean;
-    variable slice2winner2_best_cost_1_0_is_less, slice2winner2_best_cost_2_0_is_less : boolean;
-    variable slice2winner2_best_cost_3_0_is_less : boolean;
+    variable slice1_best_cost_3_0_is_less, slice2winner1_of_pair_0_0_is_less : boolean;
+    variable slice2winner1_of_pair_1_0_is_less, slice2winner1_of_pair_2_0_is_less : boolean;
+    variable slice2winner1_of_pair_3_0_is_less, slice2winner1_of_four_0_0_is_less : boolean;
+    variable slice2winner1_of_four_1_0_is_less, slice2winner1_of_four_2_0_is_less : boolean;
+    variable slice2winner1_of_four_3_0_is_less : boolean;
     variable slice0cost_change_0_0_difference, slice0cost_change_0_1_difference : integer range -255 to 255;
     variable slice0cost_change_0_2_difference, slice1cost_change_0_0_difference : integer range -255 to 255;
     variable slice1cost_change_0_1_difference, slice1cost_change_0_2_difference : integer range -255 to 255;
@@ -837,8 +851,8 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (((((raster_place_column / 2) + 32759) mod 32768) * 2) + (raster_place_column mod 2))
         < 65522;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 3) and ((((((raster_place_column / 8) +
-        8191) mod 8192) * 8) + (raster_place_column mod 8)) < 23);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and ((((((raster_place_column /
+        8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 23);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -1265,9 +1279,12 @@ begin
       slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
       slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
       slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+      slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
       slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
+      slice0window_centre_end_of_line_1 <= slice0window_centre_end_of_line_0;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
       slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
@@ -1295,76 +1312,98 @@ begin
         slice0window_sum_3_1 <= (slice0window_sum_3_1_choice + slice0window_change_3_1) mod 32768;
         slice0window_sum_3_2 <= (slice0window_sum_3_2_choice + slice0window_change_3_2) mod 32768;
       end if;
-      if slice0winner1_tag_valid then
-        slice0window_tag_output_column <= slice2window_centre_output_column_1;
-        slice0window_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
+      if slice0winner1_pair_tag_valid then
+        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_2_0_is_less := slice0window_sum_2_1 < slice0window_sum_2_0;
-      slice0winner1_best_cost_3_0_is_less := slice0window_sum_3_1 < slice0window_sum_3_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
-      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
-      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
-      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice0window_tag_output_column;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_2;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 15)) or (to_unsigned(slice0winner1_of_pair_1_1, 15))))) < 0;
+      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 15)) or (to_unsigned(slice0winner1_of_pair_2_1, 15))))) < 0;
+      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 15)) or (to_unsigned(slice0winner1_of_pair_3_1, 15))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
+      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
+      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
+      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
+      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
+      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
+      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
+      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
+      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
+      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
+      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
+      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
+        as_number(slice0winner1_pair_index_2_0);
+      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
+        as_number(slice0winner1_pair_index_3_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 15)))) or (to_unsigned(slice0winner1_of_four_0_0, 15))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 15)))) or (to_unsigned(slice0winner1_of_four_1_0, 15))));
+      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_2_2, 15)))) or (to_unsigned(slice0winner1_of_four_2_0, 15))));
+      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_3_2, 15)))) or (to_unsigned(slice0winner1_of_four_3_0, 15))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
+      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_2;
+        slice0winner1_pair_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_2;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0_is_less := slice0winner1_best_cost_2_1 < slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0_is_less := slice0winner1_best_cost_3_1 < slice0winner1_best_cost_3_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
-      slice0_best_index_0_0 <= (((slice0winner2_best_index_0_0 / 2) + 3) * 2) + (slice0winner2_best_index_0_0 mod 2);
-      slice0_best_index_1_0 <= (((slice0winner2_best_index_1_0 / 2) + 3) * 2) + (slice0winner2_best_index_1_0 mod 2);
-      slice0_best_index_2_0 <= (((slice0winner2_best_index_2_0 / 2) + 3) * 2) + (slice0winner2_best_index_2_0 mod 2);
-      slice0_best_index_3_0 <= (((slice0winner2_best_index_3_0 / 2) + 3) * 2) + (slice0winner2_best_index_3_0 mod 2);
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+      slice0_best_index_0_0 <= (((slice0winner1_best_index_0_0 / 2) + 3) * 2) + (slice0winner1_best_index_0_0 mod 2);
+      slice0_best_index_1_0 <= (((slice0winner1_best_index_1_0 / 2) + 3) * 2) + (slice0winner1_best_index_1_0 mod 2);
+      slice0_best_index_2_0 <= (((slice0winner1_best_index_2_0 / 2) + 3) * 2) + (slice0winner1_best_index_2_0 mod 2);
+      slice0_best_index_3_0 <= (((slice0winner1_best_index_3_0 / 2) + 3) * 2) + (slice0winner1_best_index_3_0 mod 2);
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1642,10 +1681,7 @@ begin
       slice1window_change_3_1 <= slice1window_entering_3_1 - slice1window_change_3_1_choice;
       slice1window_change_3_2 <= slice1window_entering_3_2 - slice1window_change_3_2_choice;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-      slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
       slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
       slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
@@ -1672,65 +1708,89 @@ begin
         slice1window_sum_3_1 <= (slice1window_sum_3_1_choice + slice1window_change_3_1) mod 32768;
         slice1window_sum_3_2 <= (slice1window_sum_3_2_choice + slice1window_change_3_2) mod 32768;
       end if;
+      if slice0winner1_pair_tag_valid then
+        slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
+        slice1window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_2;
+        slice1window_centre_end_of_line_1 <= slice0window_centre_end_of_line_1;
+      end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_2_0_is_less := slice1window_sum_2_1 < slice1window_sum_2_0;
-      slice1winner1_best_cost_3_0_is_less := slice1window_sum_3_1 < slice1window_sum_3_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
-      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
-      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
-      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0_is_less := slice1winner1_best_cost_2_1 < slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0_is_less := slice1winner1_best_cost_3_1 < slice1winner1_best_cost_3_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 15)) or (to_unsigned(slice1winner1_of_pair_1_1, 15))))) < 0;
+      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 15)) or (to_unsigned(slice1winner1_of_pair_2_1, 15))))) < 0;
+      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 15)) or (to_unsigned(slice1winner1_of_pair_3_1, 15))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
+      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
+      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
+      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
+      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
+      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
+      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
+      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
+      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
+      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
+      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
+      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
+        as_number(slice1winner1_pair_index_2_0);
+      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
+        as_number(slice1winner1_pair_index_3_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 15)))) or (to_unsigned(slice1winner1_of_four_0_0, 15))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 15)))) or (to_unsigned(slice1winner1_of_four_1_0, 15))));
+      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_2_2, 15)))) or (to_unsigned(slice1winner1_of_four_2_0, 15))));
+      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_3_2, 15)))) or (to_unsigned(slice1winner1_of_four_3_0, 15))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
+      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0_is_less := slice0_best_cost_2_0 < slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0_is_less := slice0_best_cost_3_0 < slice1winner2_best_cost_3_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0 + 3;
+        slice1winner1_best_index_0_0 + 3;
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        slice1winner2_best_index_1_0 + 3;
+        slice1winner1_best_index_1_0 + 3;
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        slice1winner2_best_index_2_0 + 3;
+        slice1winner1_best_index_2_0 + 3;
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        slice1winner2_best_index_3_0 + 3;
+        slice1winner1_best_index_3_0 + 3;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2020,7 +2080,7 @@ begin
       slice2window_sum_3_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_0;
       slice2window_sum_3_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_1;
       slice2window_sum_3_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_2;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
         slice2window_sum_0_2 <= (slice2window_sum_0_2_choice + slice2window_change_0_2) mod 32768;
@@ -2033,65 +2093,82 @@ begin
         slice2window_sum_3_0 <= (slice2window_sum_3_0_choice + slice2window_change_3_0) mod 32768;
         slice2window_sum_3_1 <= (slice2window_sum_3_1_choice + slice2window_change_3_1) mod 32768;
         slice2window_sum_3_2 <= (slice2window_sum_3_2_choice + slice2window_change_3_2) mod 32768;
-        slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
-        slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
-        slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
-        slice2window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_0;
-        slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-        slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
+        slice2window_centre_output_column_1 <= slice1window_centre_output_column_1;
+        slice2window_centre_output_column_2 <= slice2window_centre_output_column_1;
+        slice2window_centre_start_of_frame_2 <= slice1window_centre_start_of_frame_2;
+        slice2window_centre_end_of_line_1 <= slice1window_centre_end_of_line_1;
         slice2window_centre_end_of_line_2 <= slice2window_centre_end_of_line_1;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0_is_less := slice2window_sum_2_1 < slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0_is_less := slice2window_sum_3_1 < slice2window_sum_3_0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
-      slice2winner1_best_cost_1_1 <= slice2window_sum_1_2;
-      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
-        slice2window_sum_2_0;
-      slice2winner1_best_cost_2_1 <= slice2window_sum_2_2;
-      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
-        slice2window_sum_3_0;
-      slice2winner1_best_cost_3_1 <= slice2window_sum_3_2;
-      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
-      slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
-      -- slice2winner2
-      slice2winner2_best_cost_0_0_is_less := slice2winner1_best_cost_0_1 < slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_1_0_is_less := slice2winner1_best_cost_1_1 < slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_2_0_is_less := slice2winner1_best_cost_2_1 < slice2winner1_best_cost_2_0;
-      slice2winner2_best_cost_3_0_is_less := slice2winner1_best_cost_3_1 < slice2winner1_best_cost_3_0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
-        slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_1 when slice2winner2_best_cost_2_0_is_less else
-        slice2winner1_best_cost_2_0;
-      slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_1 when slice2winner2_best_cost_3_0_is_less else
-        slice2winner1_best_cost_3_0;
-      slice2winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_1_0_is_less else
-        as_number(slice2winner1_best_index_1_0);
-      slice2winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_2_0_is_less else
-        as_number(slice2winner1_best_index_2_0);
-      slice2winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_3_0_is_less else
-        as_number(slice2winner1_best_index_3_0);
+      slice2winner1_of_pair_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_of_pair_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_of_pair_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
+      slice2winner1_of_pair_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
+      slice2winner1_of_four_0_0_is_less := (slice2winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice2winner1_of_pair_0_0, 15)) or (to_unsigned(slice2winner1_of_pair_0_1, 15))))) < 0;
+      slice2winner1_of_four_1_0_is_less := (slice2winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice2winner1_of_pair_1_0, 15)) or (to_unsigned(slice2winner1_of_pair_1_1, 15))))) < 0;
+      slice2winner1_of_four_2_0_is_less := (slice2winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice2winner1_of_pair_2_0, 15)) or (to_unsigned(slice2winner1_of_pair_2_1, 15))))) < 0;
+      slice2winner1_of_four_3_0_is_less := (slice2winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice2winner1_of_pair_3_0, 15)) or (to_unsigned(slice2winner1_of_pair_3_1, 15))))) < 0;
+      slice2winner1_of_pair_0_0 <= 0 when slice2winner1_of_pair_0_0_is_less else slice2window_sum_0_0;
+      slice2winner1_of_pair_0_1 <= slice2window_sum_0_1 when slice2winner1_of_pair_0_0_is_less else 0;
+      slice2winner1_of_pair_0_2 <= slice2window_sum_0_2;
+      slice2winner1_of_pair_1_0 <= 0 when slice2winner1_of_pair_1_0_is_less else slice2window_sum_1_0;
+      slice2winner1_of_pair_1_1 <= slice2window_sum_1_1 when slice2winner1_of_pair_1_0_is_less else 0;
+      slice2winner1_of_pair_1_2 <= slice2window_sum_1_2;
+      slice2winner1_of_pair_2_0 <= 0 when slice2winner1_of_pair_2_0_is_less else slice2window_sum_2_0;
+      slice2winner1_of_pair_2_1 <= slice2window_sum_2_1 when slice2winner1_of_pair_2_0_is_less else 0;
+      slice2winner1_of_pair_2_2 <= slice2window_sum_2_2;
+      slice2winner1_of_pair_3_0 <= 0 when slice2winner1_of_pair_3_0_is_less else slice2window_sum_3_0;
+      slice2winner1_of_pair_3_1 <= slice2window_sum_3_1 when slice2winner1_of_pair_3_0_is_less else 0;
+      slice2winner1_of_pair_3_2 <= slice2window_sum_3_2;
+      slice2winner1_pair_index_0_0 <= slice2winner1_of_pair_0_0_is_less;
+      slice2winner1_pair_index_1_0 <= slice2winner1_of_pair_1_0_is_less;
+      slice2winner1_pair_index_2_0 <= slice2winner1_of_pair_2_0_is_less;
+      slice2winner1_pair_index_3_0 <= slice2winner1_of_pair_3_0_is_less;
+      slice2winner1_of_four_0_0 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_0;
+      slice2winner1_of_four_0_1 <= 0 when slice2winner1_of_four_0_0_is_less else slice2winner1_of_pair_0_1;
+      slice2winner1_of_four_0_2 <= slice2winner1_of_pair_0_2 when slice2winner1_of_four_0_0_is_less else 0;
+      slice2winner1_of_four_1_0 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_0;
+      slice2winner1_of_four_1_1 <= 0 when slice2winner1_of_four_1_0_is_less else slice2winner1_of_pair_1_1;
+      slice2winner1_of_four_1_2 <= slice2winner1_of_pair_1_2 when slice2winner1_of_four_1_0_is_less else 0;
+      slice2winner1_of_four_2_0 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_0;
+      slice2winner1_of_four_2_1 <= 0 when slice2winner1_of_four_2_0_is_less else slice2winner1_of_pair_2_1;
+      slice2winner1_of_four_2_2 <= slice2winner1_of_pair_2_2 when slice2winner1_of_four_2_0_is_less else 0;
+      slice2winner1_of_four_3_0 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_0;
+      slice2winner1_of_four_3_1 <= 0 when slice2winner1_of_four_3_0_is_less else slice2winner1_of_pair_3_1;
+      slice2winner1_of_four_3_2 <= slice2winner1_of_pair_3_2 when slice2winner1_of_four_3_0_is_less else 0;
+      slice2winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_0_0_is_less else
+        as_number(slice2winner1_pair_index_0_0);
+      slice2winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_1_0_is_less else
+        as_number(slice2winner1_pair_index_1_0);
+      slice2winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_2_0_is_less else
+        as_number(slice2winner1_pair_index_2_0);
+      slice2winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice2winner1_of_four_3_0_is_less else
+        as_number(slice2winner1_pair_index_3_0);
+      slice2winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_0_1, 15)) or
+        (to_unsigned(slice2winner1_of_four_0_2, 15)))) or (to_unsigned(slice2winner1_of_four_0_0, 15))));
+      slice2winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_1_1, 15)) or
+        (to_unsigned(slice2winner1_of_four_1_2, 15)))) or (to_unsigned(slice2winner1_of_four_1_0, 15))));
+      slice2winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_2_1, 15)) or
+        (to_unsigned(slice2winner1_of_four_2_2, 15)))) or (to_unsigned(slice2winner1_of_four_2_0, 15))));
+      slice2winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice2winner1_of_four_3_1, 15)) or
+        (to_unsigned(slice2winner1_of_four_3_2, 15)))) or (to_unsigned(slice2winner1_of_four_3_0, 15))));
+      slice2winner1_best_index_0_0 <= slice2winner1_four_index_0_0;
+      slice2winner1_best_index_1_0 <= slice2winner1_four_index_1_0;
+      slice2winner1_best_index_2_0 <= slice2winner1_four_index_2_0;
+      slice2winner1_best_index_3_0 <= slice2winner1_four_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        slice2winner2_best_index_0_0;
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        slice2winner2_best_index_1_0;
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when slice1_best_cost_2_0 < slice2winner2_best_cost_2_0 else
-        slice2winner2_best_index_2_0;
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when slice1_best_cost_3_0 < slice2winner2_best_cost_3_0 else
-        slice2winner2_best_index_3_0;
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner1_best_cost_0_0) < 0 else
+        slice2winner1_best_index_0_0;
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner1_best_cost_1_0) < 0 else
+        slice2winner1_best_index_1_0;
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner1_best_cost_2_0) < 0 else
+        slice2winner1_best_index_2_0;
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner1_best_cost_3_0) < 0 else
+        slice2winner1_best_index_3_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -2167,19 +2244,25 @@ begin
         slice0window_change_tag_start_of_frame <= false;
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
+        slice0window_centre_output_column_1 <= false;
         slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_end_of_line_0 <= false;
+        slice0window_centre_end_of_line_1 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_output_column <= false;
-        slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -2190,9 +2273,9 @@ begin
         slice1cost_write_column <= 0;
         slice1window_ring_read_address <= 1;
         slice1window_ring_write_address <= 0;
-        slice1window_centre_output_column_0 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
-        slice1window_centre_end_of_line_0 <= false;
+        slice1window_centre_output_column_1 <= false;
+        slice1window_centre_start_of_frame_2 <= false;
+        slice1window_centre_end_of_line_1 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
@@ -2203,11 +2286,9 @@ begin
         slice2cost_write_column <= 0;
         slice2window_ring_read_address <= 1;
         slice2window_ring_write_address <= 0;
-        slice2window_centre_output_column_0 <= false;
         slice2window_centre_output_column_1 <= false;
-        slice2window_centre_start_of_frame_0 <= false;
-        slice2window_centre_start_of_frame_1 <= false;
-        slice2window_centre_end_of_line_0 <= false;
+        slice2window_centre_output_column_2 <= false;
+        slice2window_centre_start_of_frame_2 <= false;
         slice2window_centre_end_of_line_1 <= false;
         slice2window_centre_end_of_line_2 <= false;
         slice2_best_tag_valid <= false;

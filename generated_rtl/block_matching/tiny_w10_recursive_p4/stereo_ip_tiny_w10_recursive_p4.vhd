@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 23,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 35,
       gap_groups => 32,
-      core_id => x"384f5eca",
+      core_id => x"38b0432f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 23,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 35,
       gap_groups => 32)
     port map (

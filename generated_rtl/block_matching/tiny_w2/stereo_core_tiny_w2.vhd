@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_w2: 32x12, 8 disparities, window 2x2, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_w2: 32x12, 8 disparities, window 2x2, 1 pixel pair a clock.
 -- Options: disparities 8, window_px 2, slice_disparities 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_w2
@@ -17,7 +17,7 @@ entity stereo_core_tiny_w2 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 15;
+    latency_clocks : positive := 16;
     flush_groups : natural := 0;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_w2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_w2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 15 report "stereo_core_tiny_w2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
+  assert latency_clocks = 16 report "stereo_core_tiny_w2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 16" severity failure;
   assert flush_groups = 0 report "stereo_core_tiny_w2: flush_groups is " & integer'image(flush_groups) & " but this core has 0" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_w2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_w2 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -129,32 +127,33 @@ architecture rtl of stereo_core_tiny_w2 is
   signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_map_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_single_negative_0_0 : boolean;
+  signal slice0cost_single_negative_0_1, slice0cost_single_negative_0_2, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_map_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_map_column, slice0cost_tag_start_of_frame : boolean;
   signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_single_1_0, slice0cost_single_1_1, slice0cost_single_1_2 : natural range 0 to 255;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 512;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 511;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 512;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 511;
   signal slice0window_centre_map_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 1024;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 1022;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 1024;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_map_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 1024;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_map_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 1022;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 1022;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_map_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_map_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 1023;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 1024;
+  signal slice0_best_cost_0_0 : natural range 0 to 1023;
   signal slice0_best_index_0_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -168,20 +167,20 @@ architecture rtl of stereo_core_tiny_w2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_1_0, slice1cost_single_1_1, slice1cost_single_1_2 : natural range 0 to 255;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_1_0 : boolean;
-  signal slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 512;
+  signal slice1cost_single_negative_0_0, slice1cost_single_negative_0_1, slice1cost_single_negative_0_2 : boolean;
+  signal slice1cost_tag_border_column : boolean;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 511;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 512;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 1024;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 511;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 1022;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 1024;
-  signal slice1winner1_best_index_0_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 1024;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 1022;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 1022;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 1023;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 1024;
+  signal slice1_best_cost_0_0 : natural range 0 to 1023;
   signal slice1_best_index_0_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -193,17 +192,20 @@ architecture rtl of stereo_core_tiny_w2 is
   signal slice2cost_difference_1_1 : integer range -255 to 255;
   signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_1_0 : natural range 0 to 255;
   signal slice2cost_single_1_1 : natural range 0 to 255;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 512;
+  signal slice2cost_single_negative_0_0, slice2cost_single_negative_0_1 : boolean;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 511;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 512;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 1024;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 511;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 1022;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0 : natural range 0 to 1024;
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 1022;
   signal slice2winner1_best_index_0_0 : boolean;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0 : natural range 0 to 1024;
+  signal slice2winner2_best_cost_0_0 : natural range 0 to 1022;
   signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 1022;
+  signal slice2winner3_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_start_of_frame : boolean;
@@ -248,9 +250,9 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_column_choice, delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
+    variable raster_place_column_choice, delay_row_inside_1_any, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1_best_cost_0_0_is_less : boolean;
     variable slice2winner1_best_cost_0_0_is_less : boolean;
   begin
     if rising_edge(clock) then
@@ -273,12 +275,12 @@ begin
       delay_row_inside_1_any := (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_0 <= (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_1 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_map_column <= (((raster_place_column + 65529) mod 65536) < 24) and delay_row_inside_1_any;
+      delay_tag_map_column <= (raster_place_column >= 7) and (raster_place_column < 31) and delay_row_inside_1_any;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -351,26 +353,23 @@ begin
       slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
       slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
       slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_1_0 <= folded(slice0cost_difference_1_0);
-      slice0cost_single_1_1 <= folded(slice0cost_difference_1_1);
-      slice0cost_single_1_2 <= folded(slice0cost_difference_1_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_1_0 <= slice0cost_difference_1_0 < 0;
-      slice0cost_negative_1_1 <= slice0cost_difference_1_1 < 0;
-      slice0cost_negative_1_2 <= slice0cost_difference_1_2 < 0;
+      slice0cost_single_1_0 <= (folded(slice0cost_difference_1_0) + as_number((slice0cost_difference_1_0 < 0))) mod 256;
+      slice0cost_single_1_1 <= (folded(slice0cost_difference_1_1) + as_number((slice0cost_difference_1_1 < 0))) mod 256;
+      slice0cost_single_1_2 <= (folded(slice0cost_difference_1_2) + as_number((slice0cost_difference_1_2 < 0))) mod 256;
+      slice0cost_single_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_single_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_single_negative_0_2 <= slice0cost_difference_0_2 < 0;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_single_0_0 + slice0cost_single_1_0 + as_number(slice0cost_negative_1_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_single_0_1 + slice0cost_single_1_1 + as_number(slice0cost_negative_1_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_single_0_2 + slice0cost_single_1_2 + as_number(slice0cost_negative_1_2);
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 +
+        slice0cost_single_1_0 + as_number(slice0cost_single_negative_0_0);
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 +
+        slice0cost_single_1_1 + as_number(slice0cost_single_negative_0_1);
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 +
+        slice0cost_single_1_2 + as_number(slice0cost_single_negative_0_2);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
@@ -390,33 +389,41 @@ begin
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
       slice0window_tag_valid <= slice0cost_tag_valid;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_map_column <= slice0window_centre_map_column_0;
-      slice0winner1_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
-      slice0winner1_tag_end_of_line <= slice0window_centre_end_of_line_0;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 10)) or (to_unsigned(slice0winner1_of_pair_0_1, 10))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_map_column <= slice0window_centre_map_column_0;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+      slice0winner1_pair_tag_end_of_line <= slice0window_centre_end_of_line_0;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 10)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 10)))) or (to_unsigned(slice0winner1_of_four_0_0, 10))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_map_column <= slice0winner2_tag_map_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_map_column <= slice0winner1_tag_map_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -440,21 +447,18 @@ begin
       slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
       slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
       slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_1_0 <= folded(slice1cost_difference_1_0);
-      slice1cost_single_1_1 <= folded(slice1cost_difference_1_1);
-      slice1cost_single_1_2 <= folded(slice1cost_difference_1_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_1_0 <= slice1cost_difference_1_0 < 0;
-      slice1cost_negative_1_1 <= slice1cost_difference_1_1 < 0;
-      slice1cost_negative_1_2 <= slice1cost_difference_1_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_single_0_0 + slice1cost_single_1_0 + as_number(slice1cost_negative_1_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_single_0_1 + slice1cost_single_1_1 + as_number(slice1cost_negative_1_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_single_0_2 + slice1cost_single_1_2 + as_number(slice1cost_negative_1_2);
+      slice1cost_single_1_0 <= (folded(slice1cost_difference_1_0) + as_number((slice1cost_difference_1_0 < 0))) mod 256;
+      slice1cost_single_1_1 <= (folded(slice1cost_difference_1_1) + as_number((slice1cost_difference_1_1 < 0))) mod 256;
+      slice1cost_single_1_2 <= (folded(slice1cost_difference_1_2) + as_number((slice1cost_difference_1_2 < 0))) mod 256;
+      slice1cost_single_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_single_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_single_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_0 + slice1cost_single_1_0 +
+        as_number(slice1cost_single_negative_0_0);
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_1 + slice1cost_single_1_1 +
+        as_number(slice1cost_single_negative_0_1);
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_2 + slice1cost_single_1_2 +
+        as_number(slice1cost_single_negative_0_2);
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -466,22 +470,26 @@ begin
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 10)) or (to_unsigned(slice1winner1_of_pair_0_1, 10))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 10)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 10)))) or (to_unsigned(slice1winner1_of_four_0_0, 10))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -502,34 +510,35 @@ begin
       slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
       slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_single_1_0 <= folded(slice2cost_difference_1_0);
-      slice2cost_single_1_1 <= folded(slice2cost_difference_1_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_negative_1_0 <= slice2cost_difference_1_0 < 0;
-      slice2cost_negative_1_1 <= slice2cost_difference_1_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_single_0_0 + slice2cost_single_1_0 + as_number(slice2cost_negative_1_0);
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_single_0_1 + slice2cost_single_1_1 + as_number(slice2cost_negative_1_1);
+      slice2cost_single_1_0 <= (folded(slice2cost_difference_1_0) + as_number((slice2cost_difference_1_0 < 0))) mod 256;
+      slice2cost_single_1_1 <= (folded(slice2cost_difference_1_1) + as_number((slice2cost_difference_1_1 < 0))) mod 256;
+      slice2cost_single_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_single_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_0 + slice2cost_single_1_0 +
+        as_number(slice2cost_single_negative_0_0);
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_1 + slice2cost_single_1_1 +
+        as_number(slice2cost_single_negative_0_1);
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
       end if;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -580,14 +589,18 @@ begin
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_map_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_map_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_map_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_map_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_map_column <= false;
         slice0_best_tag_start_of_frame <= false;

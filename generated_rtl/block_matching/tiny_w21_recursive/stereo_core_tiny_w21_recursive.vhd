@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_w21_recursive: 32x24, 12 disparities, window 21x21, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_w21_recursive: 32x24, 12 disparities, window 21x21, 1 pixel pair a clock.
 -- Options: disparities 12, window_px 21, aggregation recursive, slice_disparities 6.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_w21_recursive
@@ -17,7 +17,7 @@ entity stereo_core_tiny_w21_recursive is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 20;
-    latency_clocks : positive := 18;
+    latency_clocks : positive := 19;
     flush_groups : positive := 329;
     gap_groups : positive := 320
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_w21_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w21_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 20 report "stereo_core_tiny_w21_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 20" severity failure;
-  assert latency_clocks = 18 report "stereo_core_tiny_w21_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert latency_clocks = 19 report "stereo_core_tiny_w21_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 329 report "stereo_core_tiny_w21_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 329" severity failure;
   assert gap_groups = 320 report "stereo_core_tiny_w21_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 320" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w21_recursive is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_w21_recursive is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -194,10 +192,7 @@ architecture rtl of stereo_core_tiny_w21_recursive is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
-  signal slice0window_centre_start_of_frame_2, slice0window_centre_start_of_frame_3 : boolean;
-  signal slice0window_centre_start_of_frame_4, slice0window_centre_start_of_frame_5 : boolean;
-  signal slice0window_centre_start_of_frame_6, slice0window_centre_start_of_frame_7 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
   signal slice0window_centre_start_of_frame_8, slice0window_centre_start_of_frame_9 : boolean;
   signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
@@ -206,23 +201,25 @@ architecture rtl of stereo_core_tiny_w21_recursive is
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 131071;
   signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 131071;
   -- slice0winner1
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 131071;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 131071;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 131071;
+  signal slice0winner1_of_four_0_3, slice0winner1_of_four_0_4, slice0winner1_of_four_0_5 : natural range 0 to 131071;
   signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 131071;
-  signal slice0winner1_best_cost_0_2 : natural range 0 to 131071;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2, slice0winner1_four_index_0_1 : natural range 0 to 5;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 5;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 131071;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice0winner2_best_cost_0_0 : natural range 0 to 131071;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 5;
   signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
   signal slice0winner2_tag_end_of_line : boolean;
-  -- slice0winner3
-  signal slice0winner3_best_cost_0_0 : natural range 0 to 131071;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 5;
-  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
-  signal slice0winner3_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 131071;
   signal slice0_best_index_0_0 : natural range 0 to 11;
@@ -267,24 +264,28 @@ architecture rtl of stereo_core_tiny_w21_recursive is
   signal slice1window_centre_output_column_2, slice1window_centre_output_column_3 : boolean;
   signal slice1window_centre_output_column_4, slice1window_centre_output_column_5 : boolean;
   signal slice1window_centre_output_column_6, slice1window_centre_output_column_7 : boolean;
-  signal slice1window_centre_output_column_8, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_output_column_8, slice1window_centre_start_of_frame_0 : boolean;
+  signal slice1window_centre_start_of_frame_1, slice1window_centre_start_of_frame_3 : boolean;
+  signal slice1window_centre_start_of_frame_4, slice1window_centre_start_of_frame_5 : boolean;
+  signal slice1window_centre_start_of_frame_6, slice1window_centre_end_of_line_0 : boolean;
   signal slice1window_centre_end_of_line_1, slice1window_centre_end_of_line_2 : boolean;
   signal slice1window_centre_end_of_line_3, slice1window_centre_end_of_line_4 : boolean;
   signal slice1window_centre_end_of_line_5, slice1window_centre_end_of_line_6 : boolean;
   signal slice1window_centre_end_of_line_7, slice1window_centre_end_of_line_8 : boolean;
   -- slice1winner1
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 131071;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 131071;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 131071;
+  signal slice1winner1_of_four_0_3, slice1winner1_of_four_0_4, slice1winner1_of_four_0_5 : natural range 0 to 131071;
   signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 131071;
-  signal slice1winner1_best_cost_0_2 : natural range 0 to 131071;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2, slice1winner1_four_index_0_1 : natural range 0 to 5;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 5;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 131071;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 5;
-  -- slice1winner3
-  signal slice1winner3_best_cost_0_0 : natural range 0 to 131071;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 5;
+  signal slice1winner2_best_cost_0_0 : natural range 0 to 131071;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 5;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 11;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -527,12 +528,12 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_column_choice, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_1_is_less : boolean;
-    variable slice1winner1_best_cost_0_2_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_0_is_less : boolean;
+    variable raster_place_column_choice, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_four_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_0_2_is_less : boolean;
+    variable slice1winner1_of_pair_0_4_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 8191;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 8191;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 8191;
@@ -578,7 +579,7 @@ begin
       delay_tag_first_cost_is_equal := raster_place_column = 11;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65515) mod 65536) < 24;
+      delay_row_inside_0 <= (raster_place_group >= 21) and (raster_place_group < 45);
       delay_row_inside_1 <= (not ((raster_place_group / 32) = 1)) and ((not (((raster_place_group / 16) mod 2) = 1)) or
         (not (((raster_place_group / 8) mod 2) = 1)));
       delay_tag_valid <= raster_features_valid;
@@ -590,7 +591,7 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (raster_place_column + 65504) < 65514;
       delay_tag_output_column <= ((((((raster_place_group / 2) + 32763) mod 32768) * 2) + (raster_place_group mod 2)) <
-        24) and (((raster_place_column + 65525) mod 65536) < 20);
+        24) and (raster_place_column >= 11) and (raster_place_column < 31);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 10);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -897,65 +898,74 @@ begin
         slice0window_sum_0_5 <= (slice0window_change_0_5 + slice0window_sum_0_5_choice) mod 131072;
       end if;
       if slice0window_tag_valid then
-        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
-        slice0window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_1;
-        slice0window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_2;
-        slice0window_centre_start_of_frame_4 <= slice0window_centre_start_of_frame_3;
-        slice0window_centre_start_of_frame_5 <= slice0window_centre_start_of_frame_4;
-        slice0window_centre_start_of_frame_6 <= slice0window_centre_start_of_frame_5;
-        slice0window_centre_start_of_frame_7 <= slice0window_centre_start_of_frame_6;
-        slice0window_centre_start_of_frame_8 <= slice0window_centre_start_of_frame_7;
+        slice0window_centre_start_of_frame_3 <= slice1window_centre_start_of_frame_1;
+        slice0window_centre_start_of_frame_8 <= slice1window_centre_start_of_frame_6;
         slice0window_centre_start_of_frame_9 <= slice0window_centre_start_of_frame_8;
         slice0window_tag_output_column <= slice1window_centre_output_column_8;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_9;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_8;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 17)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 17)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 17))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= slice0winner1_of_pair_0_5;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_2;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 17)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 17)))) or (to_unsigned(slice0winner1_of_four_0_1, 17)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 17))));
+      slice0winner1_best_cost_0_1 <= to_integer(((to_unsigned(slice0winner1_of_four_0_4, 17)) or
+        (to_unsigned(slice0winner1_of_four_0_5, 17))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
         slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
       slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
-      -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_tag_valid <= slice0winner2_tag_valid;
-      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
-      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0_best_index_0_0 <= (((slice0winner3_best_index_0_0 / 2) + 3) * 2) + (slice0winner3_best_index_0_0 mod 2);
-      slice0_best_tag_valid <= slice0winner3_tag_valid;
-      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      slice0_best_index_0_0 <= (((slice0winner2_best_index_0_0 / 2) + 3) * 2) + (slice0winner2_best_index_0_0 mod 2);
+      slice0_best_tag_valid <= slice0winner2_tag_valid;
+      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1124,6 +1134,12 @@ begin
         slice1window_centre_output_column_6 <= slice1window_centre_output_column_5;
         slice1window_centre_output_column_7 <= slice1window_centre_output_column_6;
         slice1window_centre_output_column_8 <= slice1window_centre_output_column_7;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+        slice1window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_0;
+        slice1window_centre_start_of_frame_3 <= slice0window_centre_start_of_frame_3;
+        slice1window_centre_start_of_frame_4 <= slice1window_centre_start_of_frame_3;
+        slice1window_centre_start_of_frame_5 <= slice1window_centre_start_of_frame_4;
+        slice1window_centre_start_of_frame_6 <= slice1window_centre_start_of_frame_5;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
         slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
         slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
@@ -1135,35 +1151,46 @@ begin
         slice1window_centre_end_of_line_8 <= slice1window_centre_end_of_line_7;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 17)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 17)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 17))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= slice1winner1_of_pair_0_5;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_2;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 17)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 17)))) or (to_unsigned(slice1winner1_of_four_0_1, 17)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 17))));
+      slice1winner1_best_cost_0_1 <= to_integer(((to_unsigned(slice1winner1_of_four_0_4, 17)) or
+        (to_unsigned(slice1winner1_of_four_0_5, 17))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
         slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
       slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
+        slice1winner1_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner3_best_cost_0_0 else
-        slice1winner3_best_index_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
+        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1236,13 +1263,7 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_1 <= false;
-        slice0window_centre_start_of_frame_2 <= false;
         slice0window_centre_start_of_frame_3 <= false;
-        slice0window_centre_start_of_frame_4 <= false;
-        slice0window_centre_start_of_frame_5 <= false;
-        slice0window_centre_start_of_frame_6 <= false;
-        slice0window_centre_start_of_frame_7 <= false;
         slice0window_centre_start_of_frame_8 <= false;
         slice0window_centre_start_of_frame_9 <= false;
         slice0window_centre_end_of_line_0 <= false;
@@ -1250,6 +1271,14 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
@@ -1258,10 +1287,6 @@ begin
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
         slice0winner2_tag_end_of_line <= false;
-        slice0winner3_tag_valid <= false;
-        slice0winner3_tag_output_column <= false;
-        slice0winner3_tag_start_of_frame <= false;
-        slice0winner3_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1281,6 +1306,12 @@ begin
         slice1window_centre_output_column_6 <= false;
         slice1window_centre_output_column_7 <= false;
         slice1window_centre_output_column_8 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_centre_start_of_frame_1 <= false;
+        slice1window_centre_start_of_frame_3 <= false;
+        slice1window_centre_start_of_frame_4 <= false;
+        slice1window_centre_start_of_frame_5 <= false;
+        slice1window_centre_start_of_frame_6 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1window_centre_end_of_line_1 <= false;
         slice1window_centre_end_of_line_2 <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 20,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 329,
       gap_groups => 320,
-      core_id => x"c9f89d13",
+      core_id => x"7d0a1755",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 20,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 329,
       gap_groups => 320)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_w5: 32x12, 8 disparities, window 5x5, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_w5: 32x12, 8 disparities, window 5x5, 1 pixel pair a clock.
 -- Options: disparities 8, window_px 5, slice_disparities 3, cost_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_w5
@@ -17,7 +17,7 @@ entity stereo_core_tiny_w5 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 14;
+    latency_clocks : positive := 15;
     flush_groups : positive := 65;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_w5: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w5: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_w5: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 14 report "stereo_core_tiny_w5: latency_clocks is " & integer'image(latency_clocks) & " but this core has 14" severity failure;
+  assert latency_clocks = 15 report "stereo_core_tiny_w5: latency_clocks is " & integer'image(latency_clocks) & " but this core has 15" severity failure;
   assert flush_groups = 65 report "stereo_core_tiny_w5: flush_groups is " & integer'image(flush_groups) & " but this core has 65" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_w5: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w5 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_w5 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,7 +92,7 @@ architecture rtl of stereo_core_tiny_w5 is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -139,35 +137,35 @@ architecture rtl of stereo_core_tiny_w5 is
   signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
   signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
   signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_1_0, slice0cost_reverse_1_1, slice0cost_reverse_1_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
   signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
   signal slice0cost_pair_tag_end_of_line : boolean;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_centre_output_column_0, slice0window_centre_output_column_1 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
   signal slice0window_tag_start_of_frame : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0 : natural range 0 to 8191;
   signal slice0_best_index_0_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -187,25 +185,23 @@ architecture rtl of stereo_core_tiny_w5 is
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
   signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_1_0, slice1cost_reverse_1_1, slice1cost_reverse_1_2 : natural range 0 to 255;
   signal slice1cost_pair_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_index_0_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0 : natural range 0 to 6390;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 6395;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 8191;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 6390;
+  signal slice1_best_cost_0_0 : natural range 0 to 8191;
   signal slice1_best_index_0_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -220,22 +216,23 @@ architecture rtl of stereo_core_tiny_w5 is
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
   signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_4_0 : integer range -255 to 255;
   signal slice2cost_difference_4_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_1_0 : natural range 0 to 255;
-  signal slice2cost_reverse_1_1 : natural range 0 to 255;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1278;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1279;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 1278;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 2556;
-  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1 : natural range 0 to 3834;
-  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1 : natural range 0 to 5112;
-  signal slice2window_centre_output_column_0, slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 6390;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 1279;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 2558;
+  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1 : natural range 0 to 3837;
+  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1 : natural range 0 to 5116;
+  signal slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 6395;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0 : natural range 0 to 6390;
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 6395;
   signal slice2winner1_best_index_0_0 : boolean;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0 : natural range 0 to 6390;
+  signal slice2winner2_best_cost_0_0 : natural range 0 to 6395;
   signal slice2winner2_best_index_0_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 6395;
+  signal slice2winner3_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -281,20 +278,12 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_features_start_of_frame_choice, delay_row_inside_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_next_frame_choice, delay_row_inside_2_is_less : boolean;
+    variable slice0winner1_of_pair_0_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
     variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 15;
-    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 255;
-    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 255;
-    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 255;
-    variable slice1cost_column_0_0_choice, slice1cost_column_0_0_choice_2 : natural range 0 to 255;
-    variable slice1cost_column_0_1_choice, slice1cost_column_0_1_choice_2 : natural range 0 to 255;
-    variable slice1cost_column_0_2_choice, slice1cost_column_0_2_choice_2 : natural range 0 to 255;
-    variable slice2cost_column_0_0_choice, slice2cost_column_0_0_choice_2 : natural range 0 to 255;
-    variable slice2cost_column_0_1_choice, slice2cost_column_0_1_choice_2 : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -303,7 +292,7 @@ begin
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
       raster_place_group_is_equal_3 := raster_place_group = 13;
-      raster_place_group_choice_2 := 2 when raster_features_start_of_frame and raster_place_group_is_equal_3 else
+      raster_place_group_choice_2 := 2 when raster_place_next_frame and raster_place_group_is_equal_3 else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 14) and
         raster_place_group_is_equal and in_valid else raster_place_group;
@@ -312,14 +301,12 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_3;
-      raster_features_start_of_frame_choice := raster_place_group_all when in_start_of_frame else
-        raster_features_start_of_frame;
+      raster_place_next_frame_choice := raster_place_group_all when in_start_of_frame else raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame when raster_place_group_is_equal and raster_place_group_is_equal_3 else
-          raster_features_start_of_frame_choice;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and in_start_of_frame
+          when raster_place_group_is_equal and raster_place_group_is_equal_3 else raster_place_next_frame_choice;
       end if;
       -- delay
       if raster_features_valid then
@@ -331,14 +318,15 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 12;
-      delay_row_inside_1 <= ((raster_place_group + 65533) mod 65536) < 12;
+      delay_row_inside_1 <= (raster_place_group >= 3) and (raster_place_group < 15);
       delay_row_inside_2 <= delay_row_inside_2_is_less;
-      delay_row_inside_3 <= ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_3 <= (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_4 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= delay_row_inside_2_is_less and (((raster_place_column + 65529) mod 65536) < 24);
+      delay_tag_output_column <= delay_row_inside_2_is_less and (raster_place_column >= 7) and (raster_place_column <
+        31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 2);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -426,18 +414,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_column_0_0_choice_2 := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_column_0_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_column_0_1_choice_2 := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_column_0_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_column_0_2_choice_2 := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -453,12 +429,6 @@ begin
       slice0cost_difference_4_0 <= slice0shift_search_4_0 - slice0shift_reference_4;
       slice0cost_difference_4_1 <= slice0shift_search_4_1 - slice0shift_reference_4;
       slice0cost_difference_4_2 <= slice0shift_search_4_2 - slice0shift_reference_4;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
@@ -469,18 +439,21 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_difference_tag_border_column else slice0cost_column_0_0_choice +
-        folded(slice0cost_difference_3_0) + slice0cost_column_0_0_choice_2 + folded(slice0cost_difference_1_0) +
-        as_number((slice0cost_difference_0_0 < 0)) + as_number((slice0cost_difference_1_0 < 0)) +
-        folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_column_0_1 <= 0 when slice0cost_difference_tag_border_column else slice0cost_column_0_1_choice +
-        folded(slice0cost_difference_3_1) + slice0cost_column_0_1_choice_2 + folded(slice0cost_difference_1_1) +
-        as_number((slice0cost_difference_0_1 < 0)) + as_number((slice0cost_difference_1_1 < 0)) +
-        folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_column_0_2 <= 0 when slice0cost_difference_tag_border_column else slice0cost_column_0_2_choice +
-        folded(slice0cost_difference_3_2) + slice0cost_column_0_2_choice_2 + folded(slice0cost_difference_1_2) +
-        as_number((slice0cost_difference_0_2 < 0)) + as_number((slice0cost_difference_1_2 < 0)) +
-        folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_3_2 < 0));
+      slice0cost_column_0_0 <= 0 when slice0cost_difference_tag_border_column else as_number((slice0cost_difference_3_0
+        < 0)) + ((folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256) +
+        folded(slice0cost_difference_1_0) + folded(slice0cost_difference_2_0) + as_number((slice0cost_difference_4_0 <
+        0)) + as_number((slice0cost_difference_2_0 < 0)) + folded(slice0cost_difference_3_0) +
+        folded(slice0cost_difference_4_0) + as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_column_0_1 <= 0 when slice0cost_difference_tag_border_column else as_number((slice0cost_difference_3_1
+        < 0)) + ((folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256) +
+        folded(slice0cost_difference_1_1) + folded(slice0cost_difference_2_1) + as_number((slice0cost_difference_4_1 <
+        0)) + as_number((slice0cost_difference_2_1 < 0)) + folded(slice0cost_difference_3_1) +
+        folded(slice0cost_difference_4_1) + as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_column_0_2 <= 0 when slice0cost_difference_tag_border_column else as_number((slice0cost_difference_3_2
+        < 0)) + ((folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256) +
+        folded(slice0cost_difference_1_2) + folded(slice0cost_difference_2_2) + as_number((slice0cost_difference_4_2 <
+        0)) + as_number((slice0cost_difference_2_2 < 0)) + folded(slice0cost_difference_3_2) +
+        folded(slice0cost_difference_4_2) + as_number((slice0cost_difference_1_2 < 0));
       -- slice0window
       if slice0cost_pair_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -497,6 +470,7 @@ begin
         slice0window_partial_0_3_2 <= slice0cost_column_0_2 + slice0window_partial_0_2_2;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_pair_tag_output_column;
+      slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
       slice0window_centre_start_of_frame_0 <= slice0cost_pair_tag_start_of_frame;
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0cost_pair_tag_end_of_line;
@@ -504,39 +478,48 @@ begin
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_3_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_3_2;
       slice0window_tag_valid <= slice0cost_pair_tag_valid;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
+        slice0window_tag_output_column <= slice0window_centre_output_column_1;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_0;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_0;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 13)))) or (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_0;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -566,18 +549,6 @@ begin
       slice1shift_search_out_3 <= slice1shift_search_3_0;
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_column_0_0_choice_2 := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_column_0_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_column_0_1_choice_2 := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_column_0_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_column_0_2_choice_2 := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -593,25 +564,22 @@ begin
       slice1cost_difference_4_0 <= slice1shift_search_4_0 - slice1shift_reference_4;
       slice1cost_difference_4_1 <= slice1shift_search_4_1 - slice1shift_reference_4;
       slice1cost_difference_4_2 <= slice1shift_search_4_2 - slice1shift_reference_4;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
       slice1cost_pair_tag_border_column <= slice0cost_pair_tag_border_column;
-      slice1cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice1cost_column_0_0_choice +
-        folded(slice1cost_difference_3_0) + slice1cost_column_0_0_choice_2 + folded(slice1cost_difference_1_0) +
-        as_number((slice1cost_difference_0_0 < 0)) + as_number((slice1cost_difference_1_0 < 0)) +
-        folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice1cost_column_0_1_choice +
-        folded(slice1cost_difference_3_1) + slice1cost_column_0_1_choice_2 + folded(slice1cost_difference_1_1) +
-        as_number((slice1cost_difference_0_1 < 0)) + as_number((slice1cost_difference_1_1 < 0)) +
-        folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice1cost_column_0_2_choice +
-        folded(slice1cost_difference_3_2) + slice1cost_column_0_2_choice_2 + folded(slice1cost_difference_1_2) +
-        as_number((slice1cost_difference_0_2 < 0)) + as_number((slice1cost_difference_1_2 < 0)) +
-        folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_3_2 < 0));
+      slice1cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number((slice1cost_difference_3_0 < 0))
+        + ((folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256) +
+        folded(slice1cost_difference_1_0) + folded(slice1cost_difference_2_0) + as_number((slice1cost_difference_4_0 <
+        0)) + as_number((slice1cost_difference_2_0 < 0)) + folded(slice1cost_difference_3_0) +
+        folded(slice1cost_difference_4_0) + as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number((slice1cost_difference_3_1 < 0))
+        + ((folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256) +
+        folded(slice1cost_difference_1_1) + folded(slice1cost_difference_2_1) + as_number((slice1cost_difference_4_1 <
+        0)) + as_number((slice1cost_difference_2_1 < 0)) + folded(slice1cost_difference_3_1) +
+        folded(slice1cost_difference_4_1) + as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number((slice1cost_difference_3_2 < 0))
+        + ((folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256) +
+        folded(slice1cost_difference_1_2) + folded(slice1cost_difference_2_2) + as_number((slice1cost_difference_4_2 <
+        0)) + as_number((slice1cost_difference_2_2 < 0)) + folded(slice1cost_difference_3_2) +
+        folded(slice1cost_difference_4_2) + as_number((slice1cost_difference_1_2 < 0));
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -627,28 +595,31 @@ begin
         slice1window_partial_0_3_1 <= slice1cost_column_0_1 + slice1window_partial_0_2_1;
         slice1window_partial_0_3_2 <= slice1cost_column_0_2 + slice1window_partial_0_2_2;
       end if;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_3_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_3_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_3_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 13)))) or (to_unsigned(slice1winner1_of_four_0_0, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -672,14 +643,6 @@ begin
       slice2shift_reference_3 <= slice1shift_reference_3;
       slice2shift_reference_4 <= slice1shift_reference_4;
       -- slice2cost
-      slice2cost_column_0_0_choice := slice2cost_reverse_1_0 when slice2cost_difference_4_0 < 0 else
-        positive_part(slice2cost_difference_4_0);
-      slice2cost_column_0_0_choice_2 := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_column_0_1_choice := slice2cost_reverse_1_1 when slice2cost_difference_4_1 < 0 else
-        positive_part(slice2cost_difference_4_1);
-      slice2cost_column_0_1_choice_2 := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -690,20 +653,20 @@ begin
       slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
       slice2cost_difference_4_0 <= slice2shift_search_4_0 - slice2shift_reference_4;
       slice2cost_difference_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_reverse_1_0 <= (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
-      slice2cost_reverse_1_1 <= (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_pair_tag_border_column else slice2cost_column_0_0_choice +
-        folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_1_0 < 0)) +
-        folded(slice2cost_difference_1_0) + as_number((slice2cost_difference_0_0 < 0)) + slice2cost_column_0_0_choice_2
-        + folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_3_0 < 0));
-      slice2cost_column_0_1 <= 0 when slice1cost_pair_tag_border_column else slice2cost_column_0_1_choice +
-        folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_1_1 < 0)) +
-        folded(slice2cost_difference_1_1) + as_number((slice2cost_difference_0_1 < 0)) + slice2cost_column_0_1_choice_2
-        + folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_3_1 < 0));
+      slice2cost_column_0_0 <= 0 when slice1cost_pair_tag_border_column else folded(slice2cost_difference_4_0) +
+        ((folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256) +
+        folded(slice2cost_difference_1_0) + as_number((slice2cost_difference_1_0 < 0)) +
+        as_number((slice2cost_difference_4_0 < 0)) + as_number((slice2cost_difference_2_0 < 0)) +
+        folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0)) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_column_0_1 <= 0 when slice1cost_pair_tag_border_column else folded(slice2cost_difference_4_1) +
+        ((folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256) +
+        folded(slice2cost_difference_1_1) + as_number((slice2cost_difference_1_1 < 0)) +
+        as_number((slice2cost_difference_4_1 < 0)) + as_number((slice2cost_difference_2_1 < 0)) +
+        folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0)) +
+        folded(slice2cost_difference_2_1);
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -712,31 +675,33 @@ begin
         slice2window_partial_0_2_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
         slice2window_partial_0_3_0 <= slice2cost_column_0_0 + slice2window_partial_0_2_0;
         slice2window_partial_0_3_1 <= slice2cost_column_0_1 + slice2window_partial_0_2_1;
-        slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
       end if;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_3_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_3_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 14;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -772,30 +737,34 @@ begin
         slice0cost_pair_tag_start_of_frame <= false;
         slice0cost_pair_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
+        slice0window_centre_output_column_1 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
-        slice1window_centre_output_column_0 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
-        slice2window_centre_output_column_0 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2_best_tag_valid <= false;
         slice2_best_tag_output_column <= false;

@@ -17,7 +17,7 @@ entity stereo_core_tiny_w5_p4 is
     pixels_per_clock : positive := 4;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 13;
+    latency_clocks : positive := 14;
     flush_groups : positive := 33;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 4 report "stereo_core_tiny_w5_p4: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 4" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w5_p4: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_w5_p4: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 13 report "stereo_core_tiny_w5_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 13" severity failure;
+  assert latency_clocks = 14 report "stereo_core_tiny_w5_p4: latency_clocks is " & integer'image(latency_clocks) & " but this core has 14" severity failure;
   assert flush_groups = 33 report "stereo_core_tiny_w5_p4: flush_groups is " & integer'image(flush_groups) & " but this core has 33" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_w5_p4: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w5_p4 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_w5_p4 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -96,7 +94,7 @@ architecture rtl of stereo_core_tiny_w5_p4 is
   signal raster_features_search_0, raster_features_search_1, raster_features_search_2 : natural range 0 to 255;
   signal raster_features_search_3 : natural range 0 to 255;
   signal raster_features_reference : unsigned(31 downto 0);
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -151,53 +149,59 @@ architecture rtl of stereo_core_tiny_w5_p4 is
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line : boolean;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1278;
-  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 1278;
-  signal slice0cost_column_2_0, slice0cost_column_2_1, slice0cost_column_2_2 : natural range 0 to 1278;
-  signal slice0cost_column_3_0, slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 1278;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1279;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 1279;
+  signal slice0cost_column_2_0, slice0cost_column_2_1, slice0cost_column_2_2 : natural range 0 to 1279;
+  signal slice0cost_column_3_0, slice0cost_column_3_1, slice0cost_column_3_2 : natural range 0 to 1279;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_2_0_0, slice0window_partial_2_0_1, slice0window_partial_2_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_3_0_0, slice0window_partial_3_0_1, slice0window_partial_3_0_2 : natural range 0 to 1278;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_2_1_0, slice0window_partial_2_1_1, slice0window_partial_2_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_3_1_0, slice0window_partial_3_1_1, slice0window_partial_3_1_2 : natural range 0 to 2556;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_1_2_0, slice0window_partial_1_2_1, slice0window_partial_1_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_2_2_0, slice0window_partial_2_2_1, slice0window_partial_2_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_3_2_0, slice0window_partial_3_2_1, slice0window_partial_3_2_2 : natural range 0 to 3834;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_1_3_0, slice0window_partial_1_3_1, slice0window_partial_1_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_2_3_0, slice0window_partial_2_3_1, slice0window_partial_2_3_2 : natural range 0 to 5112;
-  signal slice0window_partial_3_3_0, slice0window_partial_3_3_1, slice0window_partial_3_3_2 : natural range 0 to 5112;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_2_0_0, slice0window_partial_2_0_1, slice0window_partial_2_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_3_0_0, slice0window_partial_3_0_1, slice0window_partial_3_0_2 : natural range 0 to 1279;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_2_1_0, slice0window_partial_2_1_1, slice0window_partial_2_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_3_1_0, slice0window_partial_3_1_1, slice0window_partial_3_1_2 : natural range 0 to 2558;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_1_2_0, slice0window_partial_1_2_1, slice0window_partial_1_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_2_2_0, slice0window_partial_2_2_1, slice0window_partial_2_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_3_2_0, slice0window_partial_3_2_1, slice0window_partial_3_2_2 : natural range 0 to 3837;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_1_3_0, slice0window_partial_1_3_1, slice0window_partial_1_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_2_3_0, slice0window_partial_2_3_1, slice0window_partial_2_3_2 : natural range 0 to 5116;
+  signal slice0window_partial_3_3_0, slice0window_partial_3_3_1, slice0window_partial_3_3_2 : natural range 0 to 5116;
   signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
   signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
   signal slice0window_tag_start_of_frame : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6390;
-  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 6390;
-  signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 6390;
-  signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 6390;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 6395;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 6395;
+  signal slice0window_sum_2_0, slice0window_sum_2_1, slice0window_sum_2_2 : natural range 0 to 6395;
+  signal slice0window_sum_3_0, slice0window_sum_3_1, slice0window_sum_3_2 : natural range 0 to 6395;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_2_1 : natural range 0 to 6390;
-  signal slice0winner1_best_cost_3_0, slice0winner1_best_cost_3_1 : natural range 0 to 6390;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : boolean;
-  signal slice0winner1_best_index_3_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 6390;
-  signal slice0winner2_best_cost_2_0, slice0winner2_best_cost_3_0 : natural range 0 to 6390;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_best_index_2_0, slice0winner2_best_index_3_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_2_0, slice0winner1_of_pair_2_1, slice0winner1_of_pair_2_2 : natural range 0 to 6395;
+  signal slice0winner1_of_pair_3_0, slice0winner1_of_pair_3_1, slice0winner1_of_pair_3_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_2_0, slice0winner1_of_four_2_1, slice0winner1_of_four_2_2 : natural range 0 to 6395;
+  signal slice0winner1_of_four_3_0, slice0winner1_of_four_3_1, slice0winner1_of_four_3_2 : natural range 0 to 6395;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_index_2_0 : boolean;
+  signal slice0winner1_pair_index_3_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_four_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_3_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0, slice0winner1_best_index_2_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_2_0, slice0winner1_best_cost_3_0 : natural range 0 to 8191;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 6390;
-  signal slice0_best_cost_3_0 : natural range 0 to 6390;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0, slice0_best_cost_2_0 : natural range 0 to 8191;
+  signal slice0_best_cost_3_0 : natural range 0 to 8191;
   signal slice0_best_index_0_0, slice0_best_index_1_0, slice0_best_index_2_0 : natural range 0 to 7;
   signal slice0_best_index_3_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
@@ -219,47 +223,52 @@ architecture rtl of stereo_core_tiny_w5_p4 is
   signal slice1shift_search_out_7 : natural range 0 to 255;
   -- slice1cost
   signal slice1cost_difference_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1278;
-  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 1278;
-  signal slice1cost_column_2_0, slice1cost_column_2_1, slice1cost_column_2_2 : natural range 0 to 1278;
-  signal slice1cost_column_3_0, slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 1278;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1279;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 1279;
+  signal slice1cost_column_2_0, slice1cost_column_2_1, slice1cost_column_2_2 : natural range 0 to 1279;
+  signal slice1cost_column_3_0, slice1cost_column_3_1, slice1cost_column_3_2 : natural range 0 to 1279;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_2_0_0, slice1window_partial_2_0_1, slice1window_partial_2_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_3_0_0, slice1window_partial_3_0_1, slice1window_partial_3_0_2 : natural range 0 to 1278;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_2_1_0, slice1window_partial_2_1_1, slice1window_partial_2_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_3_1_0, slice1window_partial_3_1_1, slice1window_partial_3_1_2 : natural range 0 to 2556;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_1_2_0, slice1window_partial_1_2_1, slice1window_partial_1_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_2_2_0, slice1window_partial_2_2_1, slice1window_partial_2_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_3_2_0, slice1window_partial_3_2_1, slice1window_partial_3_2_2 : natural range 0 to 3834;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_1_3_0, slice1window_partial_1_3_1, slice1window_partial_1_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_2_3_0, slice1window_partial_2_3_1, slice1window_partial_2_3_2 : natural range 0 to 5112;
-  signal slice1window_partial_3_3_0, slice1window_partial_3_3_1, slice1window_partial_3_3_2 : natural range 0 to 5112;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_2_0_0, slice1window_partial_2_0_1, slice1window_partial_2_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_3_0_0, slice1window_partial_3_0_1, slice1window_partial_3_0_2 : natural range 0 to 1279;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_2_1_0, slice1window_partial_2_1_1, slice1window_partial_2_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_3_1_0, slice1window_partial_3_1_1, slice1window_partial_3_1_2 : natural range 0 to 2558;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_1_2_0, slice1window_partial_1_2_1, slice1window_partial_1_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_2_2_0, slice1window_partial_2_2_1, slice1window_partial_2_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_3_2_0, slice1window_partial_3_2_1, slice1window_partial_3_2_2 : natural range 0 to 3837;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_1_3_0, slice1window_partial_1_3_1, slice1window_partial_1_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_2_3_0, slice1window_partial_2_3_1, slice1window_partial_2_3_2 : natural range 0 to 5116;
+  signal slice1window_partial_3_3_0, slice1window_partial_3_3_1, slice1window_partial_3_3_2 : natural range 0 to 5116;
   signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6390;
-  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 6390;
-  signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 6390;
-  signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 6390;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 6395;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 6395;
+  signal slice1window_sum_2_0, slice1window_sum_2_1, slice1window_sum_2_2 : natural range 0 to 6395;
+  signal slice1window_sum_3_0, slice1window_sum_3_1, slice1window_sum_3_2 : natural range 0 to 6395;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_2_1 : natural range 0 to 6390;
-  signal slice1winner1_best_cost_3_0, slice1winner1_best_cost_3_1 : natural range 0 to 6390;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0, slice1winner1_best_index_2_0 : boolean;
-  signal slice1winner1_best_index_3_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 6390;
-  signal slice1winner2_best_cost_2_0, slice1winner2_best_cost_3_0 : natural range 0 to 6390;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice1winner2_best_index_2_0, slice1winner2_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_2_0, slice1winner1_of_pair_2_1, slice1winner1_of_pair_2_2 : natural range 0 to 6395;
+  signal slice1winner1_of_pair_3_0, slice1winner1_of_pair_3_1, slice1winner1_of_pair_3_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_2_0, slice1winner1_of_four_2_1, slice1winner1_of_four_2_2 : natural range 0 to 6395;
+  signal slice1winner1_of_four_3_0, slice1winner1_of_four_3_1, slice1winner1_of_four_3_2 : natural range 0 to 6395;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0, slice1winner1_pair_index_2_0 : boolean;
+  signal slice1winner1_pair_index_3_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_four_index_2_0, slice1winner1_four_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_2_0, slice1winner1_best_index_3_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_2_0, slice1winner1_best_cost_3_0 : natural range 0 to 8191;
   -- slice1
-  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 6390;
-  signal slice1_best_cost_3_0 : natural range 0 to 6390;
+  signal slice1_best_cost_0_0, slice1_best_cost_1_0, slice1_best_cost_2_0 : natural range 0 to 8191;
+  signal slice1_best_cost_3_0 : natural range 0 to 8191;
   signal slice1_best_index_0_0, slice1_best_index_1_0, slice1_best_index_2_0 : natural range 0 to 7;
   signal slice1_best_index_3_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -274,36 +283,41 @@ architecture rtl of stereo_core_tiny_w5_p4 is
   signal slice2shift_reference_2, slice2shift_reference_3, slice2shift_reference_4 : natural range 0 to 255;
   signal slice2shift_reference_5, slice2shift_reference_6, slice2shift_reference_7 : natural range 0 to 255;
   -- slice2cost
-  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 1278;
-  signal slice2cost_column_1_1, slice2cost_column_2_0, slice2cost_column_2_1 : natural range 0 to 1278;
-  signal slice2cost_column_3_0, slice2cost_column_3_1 : natural range 0 to 1278;
+  signal slice2cost_column_0_0, slice2cost_column_0_1, slice2cost_column_1_0 : natural range 0 to 1279;
+  signal slice2cost_column_1_1, slice2cost_column_2_0, slice2cost_column_2_1 : natural range 0 to 1279;
+  signal slice2cost_column_3_0, slice2cost_column_3_1 : natural range 0 to 1279;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 1278;
-  signal slice2window_partial_1_0_1, slice2window_partial_2_0_0, slice2window_partial_2_0_1 : natural range 0 to 1278;
-  signal slice2window_partial_3_0_0, slice2window_partial_3_0_1 : natural range 0 to 1278;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 2556;
-  signal slice2window_partial_1_1_1, slice2window_partial_2_1_0, slice2window_partial_2_1_1 : natural range 0 to 2556;
-  signal slice2window_partial_3_1_0, slice2window_partial_3_1_1 : natural range 0 to 2556;
-  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1, slice2window_partial_1_2_0 : natural range 0 to 3834;
-  signal slice2window_partial_1_2_1, slice2window_partial_2_2_0, slice2window_partial_2_2_1 : natural range 0 to 3834;
-  signal slice2window_partial_3_2_0, slice2window_partial_3_2_1 : natural range 0 to 3834;
-  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1, slice2window_partial_1_3_0 : natural range 0 to 5112;
-  signal slice2window_partial_1_3_1, slice2window_partial_2_3_0, slice2window_partial_2_3_1 : natural range 0 to 5112;
-  signal slice2window_partial_3_3_0, slice2window_partial_3_3_1 : natural range 0 to 5112;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_partial_1_0_0 : natural range 0 to 1279;
+  signal slice2window_partial_1_0_1, slice2window_partial_2_0_0, slice2window_partial_2_0_1 : natural range 0 to 1279;
+  signal slice2window_partial_3_0_0, slice2window_partial_3_0_1 : natural range 0 to 1279;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1, slice2window_partial_1_1_0 : natural range 0 to 2558;
+  signal slice2window_partial_1_1_1, slice2window_partial_2_1_0, slice2window_partial_2_1_1 : natural range 0 to 2558;
+  signal slice2window_partial_3_1_0, slice2window_partial_3_1_1 : natural range 0 to 2558;
+  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1, slice2window_partial_1_2_0 : natural range 0 to 3837;
+  signal slice2window_partial_1_2_1, slice2window_partial_2_2_0, slice2window_partial_2_2_1 : natural range 0 to 3837;
+  signal slice2window_partial_3_2_0, slice2window_partial_3_2_1 : natural range 0 to 3837;
+  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1, slice2window_partial_1_3_0 : natural range 0 to 5116;
+  signal slice2window_partial_1_3_1, slice2window_partial_2_3_0, slice2window_partial_2_3_1 : natural range 0 to 5116;
+  signal slice2window_partial_3_3_0, slice2window_partial_3_3_1 : natural range 0 to 5116;
   signal slice2window_centre_output_column_0, slice2window_centre_end_of_line_0 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 6390;
-  signal slice2window_sum_1_1, slice2window_sum_2_0, slice2window_sum_2_1 : natural range 0 to 6390;
-  signal slice2window_sum_3_0, slice2window_sum_3_1 : natural range 0 to 6390;
+  signal slice2window_sum_0_0, slice2window_sum_0_1, slice2window_sum_1_0 : natural range 0 to 6395;
+  signal slice2window_sum_1_1, slice2window_sum_2_0, slice2window_sum_2_1 : natural range 0 to 6395;
+  signal slice2window_sum_3_0, slice2window_sum_3_1 : natural range 0 to 6395;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 6390;
-  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_3_0 : natural range 0 to 6390;
+  signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 6395;
+  signal slice2winner1_best_cost_2_0, slice2winner1_best_cost_3_0 : natural range 0 to 6395;
   signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0, slice2winner1_best_index_2_0 : boolean;
   signal slice2winner1_best_index_3_0 : boolean;
   -- slice2winner2
-  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 6390;
-  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_3_0 : natural range 0 to 6390;
+  signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 6395;
+  signal slice2winner2_best_cost_2_0, slice2winner2_best_cost_3_0 : natural range 0 to 6395;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0, slice2winner2_best_index_2_0 : boolean;
   signal slice2winner2_best_index_3_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 6395;
+  signal slice2winner3_best_cost_2_0, slice2winner3_best_cost_3_0 : natural range 0 to 6395;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0, slice2winner3_best_index_2_0 : boolean;
+  signal slice2winner3_best_index_3_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0, slice2_best_index_2_0 : natural range 0 to 7;
   signal slice2_best_index_3_0 : natural range 0 to 7;
@@ -370,28 +384,34 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_features_start_of_frame_all, raster_features_start_of_frame_choice : boolean;
-    variable delay_row_inside_0_is_equal, delay_row_inside_0_value, delay_row_inside_0_choice : boolean;
+    variable raster_place_next_frame_all, raster_place_next_frame_choice, delay_row_inside_0_is_equal : boolean;
     variable slice0cost_column_0_0_is_less, slice0cost_column_0_0_is_less_2, slice0cost_column_0_0_is_less_3 : boolean;
-    variable slice0cost_column_0_1_is_less, slice0cost_column_0_1_is_less_2, slice0cost_column_0_1_is_less_3 : boolean;
-    variable slice0cost_column_0_2_is_less, slice0cost_column_0_2_is_less_2, slice0cost_column_0_2_is_less_3 : boolean;
-    variable slice0cost_column_1_0_is_less, slice0cost_column_1_1_is_less, slice0cost_column_1_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_1_0_is_less : boolean;
-    variable slice0winner1_best_cost_2_0_is_less, slice0winner1_best_cost_3_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_1_0_is_less : boolean;
-    variable slice0winner2_best_cost_2_0_is_less, slice0winner2_best_cost_3_0_is_less : boolean;
-    variable slice1cost_column_0_0_is_less, slice1cost_column_0_0_is_less_2, slice1cost_column_0_0_is_less_3 : boolean;
-    variable slice1cost_column_0_1_is_less, slice1cost_column_0_1_is_less_2, slice1cost_column_0_1_is_less_3 : boolean;
-    variable slice1cost_column_0_2_is_less, slice1cost_column_0_2_is_less_2, slice1cost_column_0_2_is_less_3 : boolean;
-    variable slice1cost_column_1_0_is_less, slice1cost_column_1_1_is_less, slice1cost_column_1_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_2_0_is_less, slice1winner1_best_cost_3_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_2_0_is_less, slice1winner2_best_cost_3_0_is_less : boolean;
-    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice1_best_cost_2_0_is_less : boolean;
-    variable slice1_best_cost_3_0_is_less, slice2cost_column_0_0_is_less, slice2cost_column_0_0_is_less_2 : boolean;
-    variable slice2cost_column_0_0_is_less_3, slice2cost_column_0_1_is_less, slice2cost_column_0_1_is_less_2 : boolean;
-    variable slice2cost_column_0_1_is_less_3, slice2cost_column_1_0_is_less, slice2cost_column_1_1_is_less : boolean;
+    variable slice0cost_column_0_0_is_less_4, slice0cost_column_0_1_is_less, slice0cost_column_0_1_is_less_2 : boolean;
+    variable slice0cost_column_0_1_is_less_3, slice0cost_column_0_1_is_less_4, slice0cost_column_0_2_is_less : boolean;
+    variable slice0cost_column_0_2_is_less_2, slice0cost_column_0_2_is_less_3 : boolean;
+    variable slice0cost_column_0_2_is_less_4, slice0cost_column_1_0_is_less, slice0cost_column_1_1_is_less : boolean;
+    variable slice0cost_column_1_2_is_less, slice0cost_column_2_0_is_less, slice0cost_column_2_1_is_less : boolean;
+    variable slice0cost_column_2_2_is_less, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_pair_2_0_is_less : boolean;
+    variable slice0winner1_of_pair_3_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice0winner1_of_four_2_0_is_less : boolean;
+    variable slice0winner1_of_four_3_0_is_less, slice1cost_column_0_0_is_less : boolean;
+    variable slice1cost_column_0_0_is_less_2, slice1cost_column_0_0_is_less_3 : boolean;
+    variable slice1cost_column_0_0_is_less_4, slice1cost_column_0_1_is_less, slice1cost_column_0_1_is_less_2 : boolean;
+    variable slice1cost_column_0_1_is_less_3, slice1cost_column_0_1_is_less_4, slice1cost_column_0_2_is_less : boolean;
+    variable slice1cost_column_0_2_is_less_2, slice1cost_column_0_2_is_less_3 : boolean;
+    variable slice1cost_column_0_2_is_less_4, slice1cost_column_1_0_is_less, slice1cost_column_1_1_is_less : boolean;
+    variable slice1cost_column_1_2_is_less, slice1cost_column_2_0_is_less, slice1cost_column_2_1_is_less : boolean;
+    variable slice1cost_column_2_2_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_pair_2_0_is_less : boolean;
+    variable slice1winner1_of_pair_3_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1winner1_of_four_2_0_is_less : boolean;
+    variable slice1winner1_of_four_3_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable slice1_best_cost_2_0_is_less, slice1_best_cost_3_0_is_less, slice2cost_column_0_0_is_less : boolean;
+    variable slice2cost_column_0_0_is_less_2, slice2cost_column_0_0_is_less_3 : boolean;
+    variable slice2cost_column_0_0_is_less_4, slice2cost_column_0_1_is_less, slice2cost_column_0_1_is_less_2 : boolean;
+    variable slice2cost_column_0_1_is_less_3, slice2cost_column_0_1_is_less_4, slice2cost_column_1_0_is_less : boolean;
+    variable slice2cost_column_1_1_is_less, slice2cost_column_2_0_is_less, slice2cost_column_2_1_is_less : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable slice2winner1_best_cost_2_0_is_less, slice2winner1_best_cost_3_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
@@ -428,30 +448,30 @@ begin
     variable slice2cost_column_1_0_difference, slice2cost_column_1_1_difference : integer range -255 to 255;
     variable slice2cost_column_2_0_difference, slice2cost_column_2_1_difference : integer range -255 to 255;
     variable slice2cost_column_3_0_difference, slice2cost_column_3_1_difference : integer range -255 to 255;
-    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 255;
     variable slice0cost_column_0_0_folded_value, slice0cost_column_0_0_folded_value_2 : natural range 0 to 255;
-    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 255;
+    variable slice0cost_column_0_0_folded_value_3, slice0cost_column_0_0_folded_value_4 : natural range 0 to 255;
     variable slice0cost_column_0_1_folded_value, slice0cost_column_0_1_folded_value_2 : natural range 0 to 255;
-    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 255;
+    variable slice0cost_column_0_1_folded_value_3, slice0cost_column_0_1_folded_value_4 : natural range 0 to 255;
     variable slice0cost_column_0_2_folded_value, slice0cost_column_0_2_folded_value_2 : natural range 0 to 255;
+    variable slice0cost_column_0_2_folded_value_3, slice0cost_column_0_2_folded_value_4 : natural range 0 to 255;
     variable slice0cost_column_1_0_folded_value, slice0cost_column_1_1_folded_value : natural range 0 to 255;
-    variable slice0cost_column_1_2_folded_value, slice0cost_column_2_0_choice : natural range 0 to 255;
-    variable slice0cost_column_2_1_choice, slice0cost_column_2_2_choice : natural range 0 to 255;
-    variable slice1cost_column_0_0_choice, slice1cost_column_0_0_choice_2 : natural range 0 to 255;
+    variable slice0cost_column_1_2_folded_value, slice0cost_column_2_0_folded_value : natural range 0 to 255;
+    variable slice0cost_column_2_1_folded_value, slice0cost_column_2_2_folded_value : natural range 0 to 255;
     variable slice1cost_column_0_0_folded_value, slice1cost_column_0_0_folded_value_2 : natural range 0 to 255;
-    variable slice1cost_column_0_1_choice, slice1cost_column_0_1_choice_2 : natural range 0 to 255;
+    variable slice1cost_column_0_0_folded_value_3, slice1cost_column_0_0_folded_value_4 : natural range 0 to 255;
     variable slice1cost_column_0_1_folded_value, slice1cost_column_0_1_folded_value_2 : natural range 0 to 255;
-    variable slice1cost_column_0_2_choice, slice1cost_column_0_2_choice_2 : natural range 0 to 255;
+    variable slice1cost_column_0_1_folded_value_3, slice1cost_column_0_1_folded_value_4 : natural range 0 to 255;
     variable slice1cost_column_0_2_folded_value, slice1cost_column_0_2_folded_value_2 : natural range 0 to 255;
+    variable slice1cost_column_0_2_folded_value_3, slice1cost_column_0_2_folded_value_4 : natural range 0 to 255;
     variable slice1cost_column_1_0_folded_value, slice1cost_column_1_1_folded_value : natural range 0 to 255;
-    variable slice1cost_column_1_2_folded_value, slice1cost_column_2_0_choice : natural range 0 to 255;
-    variable slice1cost_column_2_1_choice, slice1cost_column_2_2_choice : natural range 0 to 255;
-    variable slice2cost_column_0_0_choice, slice2cost_column_0_0_choice_2 : natural range 0 to 255;
+    variable slice1cost_column_1_2_folded_value, slice1cost_column_2_0_folded_value : natural range 0 to 255;
+    variable slice1cost_column_2_1_folded_value, slice1cost_column_2_2_folded_value : natural range 0 to 255;
     variable slice2cost_column_0_0_folded_value, slice2cost_column_0_0_folded_value_2 : natural range 0 to 255;
-    variable slice2cost_column_0_1_choice, slice2cost_column_0_1_choice_2 : natural range 0 to 255;
+    variable slice2cost_column_0_0_folded_value_3, slice2cost_column_0_0_folded_value_4 : natural range 0 to 255;
     variable slice2cost_column_0_1_folded_value, slice2cost_column_0_1_folded_value_2 : natural range 0 to 255;
+    variable slice2cost_column_0_1_folded_value_3, slice2cost_column_0_1_folded_value_4 : natural range 0 to 255;
     variable slice2cost_column_1_0_folded_value, slice2cost_column_1_1_folded_value : natural range 0 to 255;
-    variable slice2cost_column_2_0_choice, slice2cost_column_2_1_choice : natural range 0 to 255;
+    variable slice2cost_column_2_0_folded_value, slice2cost_column_2_1_folded_value : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -459,7 +479,7 @@ begin
       raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 2);
       raster_place_group_choice := 3 when raster_place_group_all else 0;
       raster_place_group_is_equal_2 := raster_place_group = 3;
-      raster_place_group_choice_2 := 1 when raster_features_start_of_frame and raster_place_group_is_equal_2 else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and raster_place_group_is_equal_2 else
         (raster_place_group + 1) mod 8;
       raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 4) and
         raster_place_group_is_equal and in_valid else raster_place_group;
@@ -471,14 +491,14 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice when in_start_of_frame and in_valid else
         raster_place_group_choice_3;
-      raster_features_start_of_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_features_start_of_frame_choice := in_start_of_frame when raster_features_start_of_frame_all else
-        raster_features_start_of_frame or in_start_of_frame;
+      raster_place_next_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_next_frame_choice := in_start_of_frame when raster_place_next_frame_all else raster_place_next_frame
+        or in_start_of_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_features_start_of_frame_choice when raster_place_group_all else (not
-          raster_features_start_of_frame_all) and raster_features_start_of_frame and (not in_start_of_frame);
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_next_frame_choice when raster_place_group_all else (not
+          raster_place_next_frame_all) and raster_place_next_frame and (not in_start_of_frame);
       end if;
       -- delay
       if raster_features_valid then
@@ -486,16 +506,13 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
-      delay_row_inside_0_choice := not delay_row_inside_0_value when (raster_place_group / 4) = 1 else
-        delay_row_inside_0_value;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_choice;
+      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
+        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
       delay_row_inside_2 <= not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
         delay_row_inside_0_is_equal;
       delay_row_inside_6 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
@@ -503,8 +520,8 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 3) and (((raster_place_column + 65529) mod
-        65536) < 24);
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 4) and (raster_place_column >= 7)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -621,66 +638,45 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_difference := slice0shift_search_0_0 - slice0shift_reference_0;
-      slice0cost_column_0_0_difference_2 := slice0shift_search_2_0 - slice0shift_reference_2;
-      slice0cost_column_0_0_is_less := slice0cost_column_0_0_difference_2 < 0;
-      if slice0cost_column_0_0_is_less then
-        slice0cost_column_0_0_choice := (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      else
-        slice0cost_column_0_0_choice := positive_part(slice0cost_column_0_0_difference_2);
-      end if;
-      slice0cost_column_0_0_difference_3 := slice0shift_search_1_0 - slice0shift_reference_1;
-      slice0cost_column_0_0_is_less_2 := slice0cost_column_0_0_difference_3 < 0;
-      slice0cost_column_0_0_difference_4 := slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_column_0_0_difference := slice0shift_search_4_0 - slice0shift_reference_4;
+      slice0cost_column_0_0_is_less := slice0cost_column_0_0_difference < 0;
+      slice0cost_column_0_0_difference_2 := slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_column_0_0_is_less_2 := slice0cost_column_0_0_difference_2 < 0;
+      slice0cost_column_0_0_folded_value := folded(slice0cost_column_0_0_difference);
+      slice0cost_column_0_0_folded_value_2 := folded(slice0cost_column_0_0_difference_2);
+      slice0cost_column_0_0_difference_3 := slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_column_0_0_folded_value_3 := folded(slice0cost_column_0_0_difference_3);
+      slice0cost_column_0_0_difference_4 := slice0shift_search_1_0 - slice0shift_reference_1;
       slice0cost_column_0_0_is_less_3 := slice0cost_column_0_0_difference_4 < 0;
-      slice0cost_column_0_0_difference_5 := slice0shift_search_4_0 - slice0shift_reference_4;
-      if slice0cost_column_0_0_difference_5 < 0 then
-        slice0cost_column_0_0_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      else
-        slice0cost_column_0_0_choice_2 := positive_part(slice0cost_column_0_0_difference_5);
-      end if;
-      slice0cost_column_0_0_folded_value := folded(slice0cost_column_0_0_difference_4);
-      slice0cost_column_0_0_folded_value_2 := folded(slice0cost_column_0_0_difference_3);
-      slice0cost_column_0_1_difference := slice0shift_search_0_1 - slice0shift_reference_0;
-      slice0cost_column_0_1_difference_2 := slice0shift_search_2_1 - slice0shift_reference_2;
-      slice0cost_column_0_1_is_less := slice0cost_column_0_1_difference_2 < 0;
-      if slice0cost_column_0_1_is_less then
-        slice0cost_column_0_1_choice := (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      else
-        slice0cost_column_0_1_choice := positive_part(slice0cost_column_0_1_difference_2);
-      end if;
-      slice0cost_column_0_1_difference_3 := slice0shift_search_1_1 - slice0shift_reference_1;
-      slice0cost_column_0_1_is_less_2 := slice0cost_column_0_1_difference_3 < 0;
-      slice0cost_column_0_1_difference_4 := slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_column_0_0_is_less_4 := slice0cost_column_0_0_difference_3 < 0;
+      slice0cost_column_0_0_folded_value_4 := folded(slice0cost_column_0_0_difference_4);
+      slice0cost_column_0_0_difference_5 := slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_column_0_1_difference := slice0shift_search_4_1 - slice0shift_reference_4;
+      slice0cost_column_0_1_is_less := slice0cost_column_0_1_difference < 0;
+      slice0cost_column_0_1_difference_2 := slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_column_0_1_is_less_2 := slice0cost_column_0_1_difference_2 < 0;
+      slice0cost_column_0_1_folded_value := folded(slice0cost_column_0_1_difference);
+      slice0cost_column_0_1_folded_value_2 := folded(slice0cost_column_0_1_difference_2);
+      slice0cost_column_0_1_difference_3 := slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_column_0_1_folded_value_3 := folded(slice0cost_column_0_1_difference_3);
+      slice0cost_column_0_1_difference_4 := slice0shift_search_1_1 - slice0shift_reference_1;
       slice0cost_column_0_1_is_less_3 := slice0cost_column_0_1_difference_4 < 0;
-      slice0cost_column_0_1_difference_5 := slice0shift_search_4_1 - slice0shift_reference_4;
-      if slice0cost_column_0_1_difference_5 < 0 then
-        slice0cost_column_0_1_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      else
-        slice0cost_column_0_1_choice_2 := positive_part(slice0cost_column_0_1_difference_5);
-      end if;
-      slice0cost_column_0_1_folded_value := folded(slice0cost_column_0_1_difference_4);
-      slice0cost_column_0_1_folded_value_2 := folded(slice0cost_column_0_1_difference_3);
-      slice0cost_column_0_2_difference := slice0shift_search_0_2 - slice0shift_reference_0;
-      slice0cost_column_0_2_difference_2 := slice0shift_search_2_2 - slice0shift_reference_2;
-      slice0cost_column_0_2_is_less := slice0cost_column_0_2_difference_2 < 0;
-      if slice0cost_column_0_2_is_less then
-        slice0cost_column_0_2_choice := (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      else
-        slice0cost_column_0_2_choice := positive_part(slice0cost_column_0_2_difference_2);
-      end if;
-      slice0cost_column_0_2_difference_3 := slice0shift_search_1_2 - slice0shift_reference_1;
-      slice0cost_column_0_2_is_less_2 := slice0cost_column_0_2_difference_3 < 0;
-      slice0cost_column_0_2_difference_4 := slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_column_0_1_is_less_4 := slice0cost_column_0_1_difference_3 < 0;
+      slice0cost_column_0_1_folded_value_4 := folded(slice0cost_column_0_1_difference_4);
+      slice0cost_column_0_1_difference_5 := slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_column_0_2_difference := slice0shift_search_4_2 - slice0shift_reference_4;
+      slice0cost_column_0_2_is_less := slice0cost_column_0_2_difference < 0;
+      slice0cost_column_0_2_difference_2 := slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_column_0_2_is_less_2 := slice0cost_column_0_2_difference_2 < 0;
+      slice0cost_column_0_2_folded_value := folded(slice0cost_column_0_2_difference);
+      slice0cost_column_0_2_folded_value_2 := folded(slice0cost_column_0_2_difference_2);
+      slice0cost_column_0_2_difference_3 := slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_column_0_2_folded_value_3 := folded(slice0cost_column_0_2_difference_3);
+      slice0cost_column_0_2_difference_4 := slice0shift_search_1_2 - slice0shift_reference_1;
       slice0cost_column_0_2_is_less_3 := slice0cost_column_0_2_difference_4 < 0;
-      slice0cost_column_0_2_difference_5 := slice0shift_search_4_2 - slice0shift_reference_4;
-      if slice0cost_column_0_2_difference_5 < 0 then
-        slice0cost_column_0_2_choice_2 := (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      else
-        slice0cost_column_0_2_choice_2 := positive_part(slice0cost_column_0_2_difference_5);
-      end if;
-      slice0cost_column_0_2_folded_value := folded(slice0cost_column_0_2_difference_4);
-      slice0cost_column_0_2_folded_value_2 := folded(slice0cost_column_0_2_difference_3);
+      slice0cost_column_0_2_is_less_4 := slice0cost_column_0_2_difference_3 < 0;
+      slice0cost_column_0_2_folded_value_4 := folded(slice0cost_column_0_2_difference_4);
+      slice0cost_column_0_2_difference_5 := slice0shift_search_0_2 - slice0shift_reference_0;
       slice0cost_column_1_0_difference := slice0shift_search_5_0 - slice0shift_reference_5;
       slice0cost_column_1_0_folded_value := folded(slice0cost_column_1_0_difference);
       slice0cost_column_1_0_is_less := slice0cost_column_1_0_difference < 0;
@@ -691,23 +687,14 @@ begin
       slice0cost_column_1_2_folded_value := folded(slice0cost_column_1_2_difference);
       slice0cost_column_1_2_is_less := slice0cost_column_1_2_difference < 0;
       slice0cost_column_2_0_difference := slice0shift_search_6_0 - slice0shift_reference_6;
-      if slice0cost_column_2_0_difference < 0 then
-        slice0cost_column_2_0_choice := (slice0shift_reference_6 - slice0shift_search_6_0) mod 256;
-      else
-        slice0cost_column_2_0_choice := positive_part(slice0cost_column_2_0_difference);
-      end if;
+      slice0cost_column_2_0_folded_value := folded(slice0cost_column_2_0_difference);
+      slice0cost_column_2_0_is_less := slice0cost_column_2_0_difference < 0;
       slice0cost_column_2_1_difference := slice0shift_search_6_1 - slice0shift_reference_6;
-      if slice0cost_column_2_1_difference < 0 then
-        slice0cost_column_2_1_choice := (slice0shift_reference_6 - slice0shift_search_6_1) mod 256;
-      else
-        slice0cost_column_2_1_choice := positive_part(slice0cost_column_2_1_difference);
-      end if;
+      slice0cost_column_2_1_folded_value := folded(slice0cost_column_2_1_difference);
+      slice0cost_column_2_1_is_less := slice0cost_column_2_1_difference < 0;
       slice0cost_column_2_2_difference := slice0shift_search_6_2 - slice0shift_reference_6;
-      if slice0cost_column_2_2_difference < 0 then
-        slice0cost_column_2_2_choice := (slice0shift_reference_6 - slice0shift_search_6_2) mod 256;
-      else
-        slice0cost_column_2_2_choice := positive_part(slice0cost_column_2_2_difference);
-      end if;
+      slice0cost_column_2_2_folded_value := folded(slice0cost_column_2_2_difference);
+      slice0cost_column_2_2_is_less := slice0cost_column_2_2_difference < 0;
       slice0cost_column_3_0_difference := slice0shift_search_7_0 - slice0shift_reference_7;
       slice0cost_column_3_1_difference := slice0shift_search_7_1 - slice0shift_reference_7;
       slice0cost_column_3_2_difference := slice0shift_search_7_2 - slice0shift_reference_7;
@@ -716,57 +703,78 @@ begin
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_0_0_difference <
-        0)) + slice0cost_column_0_0_choice + as_number(slice0cost_column_0_0_is_less_2) +
-        as_number(slice0cost_column_0_0_is_less_3) + slice0cost_column_0_0_choice_2 +
-        slice0cost_column_0_0_folded_value + slice0cost_column_0_0_folded_value_2 +
-        folded(slice0cost_column_0_0_difference);
-      slice0cost_column_0_1 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_0_1_difference <
-        0)) + slice0cost_column_0_1_choice + as_number(slice0cost_column_0_1_is_less_2) +
-        as_number(slice0cost_column_0_1_is_less_3) + slice0cost_column_0_1_choice_2 +
-        slice0cost_column_0_1_folded_value + slice0cost_column_0_1_folded_value_2 +
-        folded(slice0cost_column_0_1_difference);
-      slice0cost_column_0_2 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_0_2_difference <
-        0)) + slice0cost_column_0_2_choice + as_number(slice0cost_column_0_2_is_less_2) +
-        as_number(slice0cost_column_0_2_is_less_3) + slice0cost_column_0_2_choice_2 +
-        slice0cost_column_0_2_folded_value + slice0cost_column_0_2_folded_value_2 +
-        folded(slice0cost_column_0_2_difference);
-      slice0cost_column_1_0 <= 0 when slice0shift_tag_border_column else slice0cost_column_0_0_choice +
-        as_number(slice0cost_column_0_0_is_less_2) + as_number(slice0cost_column_0_0_is_less_3) +
-        slice0cost_column_0_0_choice_2 + slice0cost_column_0_0_folded_value + slice0cost_column_0_0_folded_value_2 +
-        slice0cost_column_1_0_folded_value + as_number(slice0cost_column_1_0_is_less);
-      slice0cost_column_1_1 <= 0 when slice0shift_tag_border_column else slice0cost_column_0_1_choice +
-        as_number(slice0cost_column_0_1_is_less_2) + as_number(slice0cost_column_0_1_is_less_3) +
-        slice0cost_column_0_1_choice_2 + slice0cost_column_0_1_folded_value + slice0cost_column_0_1_folded_value_2 +
-        slice0cost_column_1_1_folded_value + as_number(slice0cost_column_1_1_is_less);
-      slice0cost_column_1_2 <= 0 when slice0shift_tag_border_column else slice0cost_column_0_2_choice +
-        as_number(slice0cost_column_0_2_is_less_2) + as_number(slice0cost_column_0_2_is_less_3) +
-        slice0cost_column_0_2_choice_2 + slice0cost_column_0_2_folded_value + slice0cost_column_0_2_folded_value_2 +
-        slice0cost_column_1_2_folded_value + as_number(slice0cost_column_1_2_is_less);
-      slice0cost_column_2_0 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_0_is_less) +
-        slice0cost_column_1_0_folded_value + as_number(slice0cost_column_1_0_is_less) + slice0cost_column_2_0_choice +
-        as_number(slice0cost_column_0_0_is_less_3) + slice0cost_column_0_0_choice_2 +
-        slice0cost_column_0_0_folded_value + folded(slice0cost_column_0_0_difference_2);
-      slice0cost_column_2_1 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_1_is_less) +
-        slice0cost_column_1_1_folded_value + as_number(slice0cost_column_1_1_is_less) + slice0cost_column_2_1_choice +
-        as_number(slice0cost_column_0_1_is_less_3) + slice0cost_column_0_1_choice_2 +
-        slice0cost_column_0_1_folded_value + folded(slice0cost_column_0_1_difference_2);
-      slice0cost_column_2_2 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_2_is_less) +
-        slice0cost_column_1_2_folded_value + as_number(slice0cost_column_1_2_is_less) + slice0cost_column_2_2_choice +
-        as_number(slice0cost_column_0_2_is_less_3) + slice0cost_column_0_2_choice_2 +
-        slice0cost_column_0_2_folded_value + folded(slice0cost_column_0_2_difference_2);
-      slice0cost_column_3_0 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_3_0_difference <
-        0)) + slice0cost_column_1_0_folded_value + as_number(slice0cost_column_1_0_is_less) +
-        slice0cost_column_2_0_choice + as_number(slice0cost_column_0_0_is_less_3) + slice0cost_column_0_0_choice_2 +
-        slice0cost_column_0_0_folded_value + folded(slice0cost_column_3_0_difference);
-      slice0cost_column_3_1 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_3_1_difference <
-        0)) + slice0cost_column_1_1_folded_value + as_number(slice0cost_column_1_1_is_less) +
-        slice0cost_column_2_1_choice + as_number(slice0cost_column_0_1_is_less_3) + slice0cost_column_0_1_choice_2 +
-        slice0cost_column_0_1_folded_value + folded(slice0cost_column_3_1_difference);
-      slice0cost_column_3_2 <= 0 when slice0shift_tag_border_column else as_number((slice0cost_column_3_2_difference <
-        0)) + slice0cost_column_1_2_folded_value + as_number(slice0cost_column_1_2_is_less) +
-        slice0cost_column_2_2_choice + as_number(slice0cost_column_0_2_is_less_3) + slice0cost_column_0_2_choice_2 +
-        slice0cost_column_0_2_folded_value + folded(slice0cost_column_3_2_difference);
+      slice0cost_column_0_0 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_0_is_less) +
+        as_number(slice0cost_column_0_0_is_less_2) + slice0cost_column_0_0_folded_value +
+        slice0cost_column_0_0_folded_value_2 + slice0cost_column_0_0_folded_value_3 +
+        as_number(slice0cost_column_0_0_is_less_3) + as_number(slice0cost_column_0_0_is_less_4) +
+        slice0cost_column_0_0_folded_value_4 + ((folded(slice0cost_column_0_0_difference_5) +
+        as_number((slice0cost_column_0_0_difference_5 < 0))) mod 256);
+      slice0cost_column_0_1 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_1_is_less) +
+        as_number(slice0cost_column_0_1_is_less_2) + slice0cost_column_0_1_folded_value +
+        slice0cost_column_0_1_folded_value_2 + slice0cost_column_0_1_folded_value_3 +
+        as_number(slice0cost_column_0_1_is_less_3) + as_number(slice0cost_column_0_1_is_less_4) +
+        slice0cost_column_0_1_folded_value_4 + ((folded(slice0cost_column_0_1_difference_5) +
+        as_number((slice0cost_column_0_1_difference_5 < 0))) mod 256);
+      slice0cost_column_0_2 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_2_is_less) +
+        as_number(slice0cost_column_0_2_is_less_2) + slice0cost_column_0_2_folded_value +
+        slice0cost_column_0_2_folded_value_2 + slice0cost_column_0_2_folded_value_3 +
+        as_number(slice0cost_column_0_2_is_less_3) + as_number(slice0cost_column_0_2_is_less_4) +
+        slice0cost_column_0_2_folded_value_4 + ((folded(slice0cost_column_0_2_difference_5) +
+        as_number((slice0cost_column_0_2_difference_5 < 0))) mod 256);
+      slice0cost_column_1_0 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_0_is_less) +
+        as_number(slice0cost_column_0_0_is_less_2) + slice0cost_column_0_0_folded_value +
+        slice0cost_column_0_0_folded_value_2 + slice0cost_column_0_0_folded_value_3 +
+        as_number(slice0cost_column_0_0_is_less_3) + as_number(slice0cost_column_0_0_is_less_4) +
+        slice0cost_column_0_0_folded_value_4 + ((slice0cost_column_1_0_folded_value +
+        as_number(slice0cost_column_1_0_is_less)) mod 256);
+      slice0cost_column_1_1 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_1_is_less) +
+        as_number(slice0cost_column_0_1_is_less_2) + slice0cost_column_0_1_folded_value +
+        slice0cost_column_0_1_folded_value_2 + slice0cost_column_0_1_folded_value_3 +
+        as_number(slice0cost_column_0_1_is_less_3) + as_number(slice0cost_column_0_1_is_less_4) +
+        slice0cost_column_0_1_folded_value_4 + ((slice0cost_column_1_1_folded_value +
+        as_number(slice0cost_column_1_1_is_less)) mod 256);
+      slice0cost_column_1_2 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_0_2_is_less) +
+        as_number(slice0cost_column_0_2_is_less_2) + slice0cost_column_0_2_folded_value +
+        slice0cost_column_0_2_folded_value_2 + slice0cost_column_0_2_folded_value_3 +
+        as_number(slice0cost_column_0_2_is_less_3) + as_number(slice0cost_column_0_2_is_less_4) +
+        slice0cost_column_0_2_folded_value_4 + ((slice0cost_column_1_2_folded_value +
+        as_number(slice0cost_column_1_2_is_less)) mod 256);
+      slice0cost_column_2_0 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_0_is_less) +
+        slice0cost_column_2_0_folded_value + slice0cost_column_1_0_folded_value +
+        as_number(slice0cost_column_2_0_is_less) + as_number(slice0cost_column_0_0_is_less) +
+        as_number(slice0cost_column_0_0_is_less_2) + slice0cost_column_0_0_folded_value +
+        slice0cost_column_0_0_folded_value_2 + ((slice0cost_column_0_0_folded_value_3 +
+        as_number(slice0cost_column_0_0_is_less_4)) mod 256);
+      slice0cost_column_2_1 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_1_is_less) +
+        slice0cost_column_2_1_folded_value + slice0cost_column_1_1_folded_value +
+        as_number(slice0cost_column_2_1_is_less) + as_number(slice0cost_column_0_1_is_less) +
+        as_number(slice0cost_column_0_1_is_less_2) + slice0cost_column_0_1_folded_value +
+        slice0cost_column_0_1_folded_value_2 + ((slice0cost_column_0_1_folded_value_3 +
+        as_number(slice0cost_column_0_1_is_less_4)) mod 256);
+      slice0cost_column_2_2 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_2_is_less) +
+        slice0cost_column_2_2_folded_value + slice0cost_column_1_2_folded_value +
+        as_number(slice0cost_column_2_2_is_less) + as_number(slice0cost_column_0_2_is_less) +
+        as_number(slice0cost_column_0_2_is_less_2) + slice0cost_column_0_2_folded_value +
+        slice0cost_column_0_2_folded_value_2 + ((slice0cost_column_0_2_folded_value_3 +
+        as_number(slice0cost_column_0_2_is_less_4)) mod 256);
+      slice0cost_column_3_0 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_0_is_less) +
+        slice0cost_column_2_0_folded_value + slice0cost_column_1_0_folded_value +
+        as_number(slice0cost_column_2_0_is_less) + as_number(slice0cost_column_0_0_is_less) +
+        as_number(slice0cost_column_0_0_is_less_2) + slice0cost_column_0_0_folded_value +
+        slice0cost_column_0_0_folded_value_2 + ((folded(slice0cost_column_3_0_difference) +
+        as_number((slice0cost_column_3_0_difference < 0))) mod 256);
+      slice0cost_column_3_1 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_1_is_less) +
+        slice0cost_column_2_1_folded_value + slice0cost_column_1_1_folded_value +
+        as_number(slice0cost_column_2_1_is_less) + as_number(slice0cost_column_0_1_is_less) +
+        as_number(slice0cost_column_0_1_is_less_2) + slice0cost_column_0_1_folded_value +
+        slice0cost_column_0_1_folded_value_2 + ((folded(slice0cost_column_3_1_difference) +
+        as_number((slice0cost_column_3_1_difference < 0))) mod 256);
+      slice0cost_column_3_2 <= 0 when slice0shift_tag_border_column else as_number(slice0cost_column_1_2_is_less) +
+        slice0cost_column_2_2_folded_value + slice0cost_column_1_2_folded_value +
+        as_number(slice0cost_column_2_2_is_less) + as_number(slice0cost_column_0_2_is_less) +
+        as_number(slice0cost_column_0_2_is_less_2) + slice0cost_column_0_2_folded_value +
+        slice0cost_column_0_2_folded_value_2 + ((folded(slice0cost_column_3_2_difference) +
+        as_number((slice0cost_column_3_2_difference < 0))) mod 256);
       -- slice0window
       if slice0cost_difference_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -835,75 +843,98 @@ begin
       slice0window_sum_3_1 <= slice0cost_column_3_1 + slice0window_partial_3_3_1;
       slice0window_sum_3_2 <= slice0cost_column_3_2 + slice0window_partial_3_3_2;
       slice0window_tag_valid <= slice0cost_difference_tag_valid;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_2_0_is_less := slice0window_sum_2_1 < slice0window_sum_2_0;
-      slice0winner1_best_cost_3_0_is_less := slice0window_sum_3_1 < slice0window_sum_3_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
-      slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
-      slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
-      slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_0;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_0;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
+      slice0winner1_of_pair_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 13)) or (to_unsigned(slice0winner1_of_pair_0_1, 13))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 13)) or (to_unsigned(slice0winner1_of_pair_1_1, 13))))) < 0;
+      slice0winner1_of_four_2_0_is_less := (slice0winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_2_0, 13)) or (to_unsigned(slice0winner1_of_pair_2_1, 13))))) < 0;
+      slice0winner1_of_four_3_0_is_less := (slice0winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_3_0, 13)) or (to_unsigned(slice0winner1_of_pair_3_1, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_of_pair_2_0 <= 0 when slice0winner1_of_pair_2_0_is_less else slice0window_sum_2_0;
+      slice0winner1_of_pair_2_1 <= slice0window_sum_2_1 when slice0winner1_of_pair_2_0_is_less else 0;
+      slice0winner1_of_pair_2_2 <= slice0window_sum_2_2;
+      slice0winner1_of_pair_3_0 <= 0 when slice0winner1_of_pair_3_0_is_less else slice0window_sum_3_0;
+      slice0winner1_of_pair_3_1 <= slice0window_sum_3_1 when slice0winner1_of_pair_3_0_is_less else 0;
+      slice0winner1_of_pair_3_2 <= slice0window_sum_3_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_2_0 <= slice0winner1_of_pair_2_0_is_less;
+      slice0winner1_pair_index_3_0 <= slice0winner1_of_pair_3_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_2_0 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_0;
+      slice0winner1_of_four_2_1 <= 0 when slice0winner1_of_four_2_0_is_less else slice0winner1_of_pair_2_1;
+      slice0winner1_of_four_2_2 <= slice0winner1_of_pair_2_2 when slice0winner1_of_four_2_0_is_less else 0;
+      slice0winner1_of_four_3_0 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_0;
+      slice0winner1_of_four_3_1 <= 0 when slice0winner1_of_four_3_0_is_less else slice0winner1_of_pair_3_1;
+      slice0winner1_of_four_3_2 <= slice0winner1_of_pair_3_2 when slice0winner1_of_four_3_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_2_0_is_less else
+        as_number(slice0winner1_pair_index_2_0);
+      slice0winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_3_0_is_less else
+        as_number(slice0winner1_pair_index_3_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 13)))) or (to_unsigned(slice0winner1_of_four_0_0, 13))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 13)))) or (to_unsigned(slice0winner1_of_four_1_0, 13))));
+      slice0winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_2_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_2_2, 13)))) or (to_unsigned(slice0winner1_of_four_2_0, 13))));
+      slice0winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_3_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_3_2, 13)))) or (to_unsigned(slice0winner1_of_four_3_0, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_2_0 <= slice0winner1_four_index_2_0;
+      slice0winner1_best_index_3_0 <= slice0winner1_four_index_3_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_0;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_0;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0_is_less := slice0winner1_best_cost_2_1 < slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0_is_less := slice0winner1_best_cost_3_1 < slice0winner1_best_cost_3_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_cost_2_0 <= slice0winner2_best_cost_2_0;
-      slice0_best_cost_3_0 <= slice0winner2_best_cost_3_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_index_2_0 <= slice0winner2_best_index_2_0 + 5;
-      slice0_best_index_3_0 <= slice0winner2_best_index_3_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+      slice0_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_index_2_0 <= slice0winner1_best_index_2_0 + 5;
+      slice0_best_index_3_0 <= slice0winner1_best_index_3_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -948,66 +979,45 @@ begin
       slice1shift_search_out_6 <= slice1shift_search_6_0;
       slice1shift_search_out_7 <= slice1shift_search_7_0;
       -- slice1cost
-      slice1cost_column_0_0_difference := slice1shift_search_0_0 - slice1shift_reference_0;
-      slice1cost_column_0_0_difference_2 := slice1shift_search_2_0 - slice1shift_reference_2;
-      slice1cost_column_0_0_is_less := slice1cost_column_0_0_difference_2 < 0;
-      if slice1cost_column_0_0_is_less then
-        slice1cost_column_0_0_choice := (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      else
-        slice1cost_column_0_0_choice := positive_part(slice1cost_column_0_0_difference_2);
-      end if;
-      slice1cost_column_0_0_difference_3 := slice1shift_search_1_0 - slice1shift_reference_1;
-      slice1cost_column_0_0_is_less_2 := slice1cost_column_0_0_difference_3 < 0;
-      slice1cost_column_0_0_difference_4 := slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_column_0_0_difference := slice1shift_search_4_0 - slice1shift_reference_4;
+      slice1cost_column_0_0_is_less := slice1cost_column_0_0_difference < 0;
+      slice1cost_column_0_0_difference_2 := slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_column_0_0_is_less_2 := slice1cost_column_0_0_difference_2 < 0;
+      slice1cost_column_0_0_folded_value := folded(slice1cost_column_0_0_difference);
+      slice1cost_column_0_0_folded_value_2 := folded(slice1cost_column_0_0_difference_2);
+      slice1cost_column_0_0_difference_3 := slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_column_0_0_folded_value_3 := folded(slice1cost_column_0_0_difference_3);
+      slice1cost_column_0_0_difference_4 := slice1shift_search_1_0 - slice1shift_reference_1;
       slice1cost_column_0_0_is_less_3 := slice1cost_column_0_0_difference_4 < 0;
-      slice1cost_column_0_0_difference_5 := slice1shift_search_4_0 - slice1shift_reference_4;
-      if slice1cost_column_0_0_difference_5 < 0 then
-        slice1cost_column_0_0_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      else
-        slice1cost_column_0_0_choice_2 := positive_part(slice1cost_column_0_0_difference_5);
-      end if;
-      slice1cost_column_0_0_folded_value := folded(slice1cost_column_0_0_difference_4);
-      slice1cost_column_0_0_folded_value_2 := folded(slice1cost_column_0_0_difference_3);
-      slice1cost_column_0_1_difference := slice1shift_search_0_1 - slice1shift_reference_0;
-      slice1cost_column_0_1_difference_2 := slice1shift_search_2_1 - slice1shift_reference_2;
-      slice1cost_column_0_1_is_less := slice1cost_column_0_1_difference_2 < 0;
-      if slice1cost_column_0_1_is_less then
-        slice1cost_column_0_1_choice := (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      else
-        slice1cost_column_0_1_choice := positive_part(slice1cost_column_0_1_difference_2);
-      end if;
-      slice1cost_column_0_1_difference_3 := slice1shift_search_1_1 - slice1shift_reference_1;
-      slice1cost_column_0_1_is_less_2 := slice1cost_column_0_1_difference_3 < 0;
-      slice1cost_column_0_1_difference_4 := slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_column_0_0_is_less_4 := slice1cost_column_0_0_difference_3 < 0;
+      slice1cost_column_0_0_folded_value_4 := folded(slice1cost_column_0_0_difference_4);
+      slice1cost_column_0_0_difference_5 := slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_column_0_1_difference := slice1shift_search_4_1 - slice1shift_reference_4;
+      slice1cost_column_0_1_is_less := slice1cost_column_0_1_difference < 0;
+      slice1cost_column_0_1_difference_2 := slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_column_0_1_is_less_2 := slice1cost_column_0_1_difference_2 < 0;
+      slice1cost_column_0_1_folded_value := folded(slice1cost_column_0_1_difference);
+      slice1cost_column_0_1_folded_value_2 := folded(slice1cost_column_0_1_difference_2);
+      slice1cost_column_0_1_difference_3 := slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_column_0_1_folded_value_3 := folded(slice1cost_column_0_1_difference_3);
+      slice1cost_column_0_1_difference_4 := slice1shift_search_1_1 - slice1shift_reference_1;
       slice1cost_column_0_1_is_less_3 := slice1cost_column_0_1_difference_4 < 0;
-      slice1cost_column_0_1_difference_5 := slice1shift_search_4_1 - slice1shift_reference_4;
-      if slice1cost_column_0_1_difference_5 < 0 then
-        slice1cost_column_0_1_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      else
-        slice1cost_column_0_1_choice_2 := positive_part(slice1cost_column_0_1_difference_5);
-      end if;
-      slice1cost_column_0_1_folded_value := folded(slice1cost_column_0_1_difference_4);
-      slice1cost_column_0_1_folded_value_2 := folded(slice1cost_column_0_1_difference_3);
-      slice1cost_column_0_2_difference := slice1shift_search_0_2 - slice1shift_reference_0;
-      slice1cost_column_0_2_difference_2 := slice1shift_search_2_2 - slice1shift_reference_2;
-      slice1cost_column_0_2_is_less := slice1cost_column_0_2_difference_2 < 0;
-      if slice1cost_column_0_2_is_less then
-        slice1cost_column_0_2_choice := (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      else
-        slice1cost_column_0_2_choice := positive_part(slice1cost_column_0_2_difference_2);
-      end if;
-      slice1cost_column_0_2_difference_3 := slice1shift_search_1_2 - slice1shift_reference_1;
-      slice1cost_column_0_2_is_less_2 := slice1cost_column_0_2_difference_3 < 0;
-      slice1cost_column_0_2_difference_4 := slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_column_0_1_is_less_4 := slice1cost_column_0_1_difference_3 < 0;
+      slice1cost_column_0_1_folded_value_4 := folded(slice1cost_column_0_1_difference_4);
+      slice1cost_column_0_1_difference_5 := slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_column_0_2_difference := slice1shift_search_4_2 - slice1shift_reference_4;
+      slice1cost_column_0_2_is_less := slice1cost_column_0_2_difference < 0;
+      slice1cost_column_0_2_difference_2 := slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_column_0_2_is_less_2 := slice1cost_column_0_2_difference_2 < 0;
+      slice1cost_column_0_2_folded_value := folded(slice1cost_column_0_2_difference);
+      slice1cost_column_0_2_folded_value_2 := folded(slice1cost_column_0_2_difference_2);
+      slice1cost_column_0_2_difference_3 := slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_column_0_2_folded_value_3 := folded(slice1cost_column_0_2_difference_3);
+      slice1cost_column_0_2_difference_4 := slice1shift_search_1_2 - slice1shift_reference_1;
       slice1cost_column_0_2_is_less_3 := slice1cost_column_0_2_difference_4 < 0;
-      slice1cost_column_0_2_difference_5 := slice1shift_search_4_2 - slice1shift_reference_4;
-      if slice1cost_column_0_2_difference_5 < 0 then
-        slice1cost_column_0_2_choice_2 := (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      else
-        slice1cost_column_0_2_choice_2 := positive_part(slice1cost_column_0_2_difference_5);
-      end if;
-      slice1cost_column_0_2_folded_value := folded(slice1cost_column_0_2_difference_4);
-      slice1cost_column_0_2_folded_value_2 := folded(slice1cost_column_0_2_difference_3);
+      slice1cost_column_0_2_is_less_4 := slice1cost_column_0_2_difference_3 < 0;
+      slice1cost_column_0_2_folded_value_4 := folded(slice1cost_column_0_2_difference_4);
+      slice1cost_column_0_2_difference_5 := slice1shift_search_0_2 - slice1shift_reference_0;
       slice1cost_column_1_0_difference := slice1shift_search_5_0 - slice1shift_reference_5;
       slice1cost_column_1_0_folded_value := folded(slice1cost_column_1_0_difference);
       slice1cost_column_1_0_is_less := slice1cost_column_1_0_difference < 0;
@@ -1018,84 +1028,90 @@ begin
       slice1cost_column_1_2_folded_value := folded(slice1cost_column_1_2_difference);
       slice1cost_column_1_2_is_less := slice1cost_column_1_2_difference < 0;
       slice1cost_column_2_0_difference := slice1shift_search_6_0 - slice1shift_reference_6;
-      if slice1cost_column_2_0_difference < 0 then
-        slice1cost_column_2_0_choice := (slice1shift_reference_6 - slice1shift_search_6_0) mod 256;
-      else
-        slice1cost_column_2_0_choice := positive_part(slice1cost_column_2_0_difference);
-      end if;
+      slice1cost_column_2_0_folded_value := folded(slice1cost_column_2_0_difference);
+      slice1cost_column_2_0_is_less := slice1cost_column_2_0_difference < 0;
       slice1cost_column_2_1_difference := slice1shift_search_6_1 - slice1shift_reference_6;
-      if slice1cost_column_2_1_difference < 0 then
-        slice1cost_column_2_1_choice := (slice1shift_reference_6 - slice1shift_search_6_1) mod 256;
-      else
-        slice1cost_column_2_1_choice := positive_part(slice1cost_column_2_1_difference);
-      end if;
+      slice1cost_column_2_1_folded_value := folded(slice1cost_column_2_1_difference);
+      slice1cost_column_2_1_is_less := slice1cost_column_2_1_difference < 0;
       slice1cost_column_2_2_difference := slice1shift_search_6_2 - slice1shift_reference_6;
-      if slice1cost_column_2_2_difference < 0 then
-        slice1cost_column_2_2_choice := (slice1shift_reference_6 - slice1shift_search_6_2) mod 256;
-      else
-        slice1cost_column_2_2_choice := positive_part(slice1cost_column_2_2_difference);
-      end if;
+      slice1cost_column_2_2_folded_value := folded(slice1cost_column_2_2_difference);
+      slice1cost_column_2_2_is_less := slice1cost_column_2_2_difference < 0;
       slice1cost_column_3_0_difference := slice1shift_search_7_0 - slice1shift_reference_7;
       slice1cost_column_3_1_difference := slice1shift_search_7_1 - slice1shift_reference_7;
       slice1cost_column_3_2_difference := slice1shift_search_7_2 - slice1shift_reference_7;
       slice1cost_difference_tag_border_column <= slice0cost_difference_tag_border_column;
       slice1cost_column_0_0 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_0_0_difference < 0)) + slice1cost_column_0_0_choice +
-        as_number(slice1cost_column_0_0_is_less_2) + as_number(slice1cost_column_0_0_is_less_3) +
-        slice1cost_column_0_0_choice_2 + slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
-        folded(slice1cost_column_0_0_difference);
+        as_number(slice1cost_column_0_0_is_less) + as_number(slice1cost_column_0_0_is_less_2) +
+        slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
+        slice1cost_column_0_0_folded_value_3 + as_number(slice1cost_column_0_0_is_less_3) +
+        as_number(slice1cost_column_0_0_is_less_4) + slice1cost_column_0_0_folded_value_4 +
+        ((folded(slice1cost_column_0_0_difference_5) + as_number((slice1cost_column_0_0_difference_5 < 0))) mod 256);
       slice1cost_column_0_1 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_0_1_difference < 0)) + slice1cost_column_0_1_choice +
-        as_number(slice1cost_column_0_1_is_less_2) + as_number(slice1cost_column_0_1_is_less_3) +
-        slice1cost_column_0_1_choice_2 + slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
-        folded(slice1cost_column_0_1_difference);
+        as_number(slice1cost_column_0_1_is_less) + as_number(slice1cost_column_0_1_is_less_2) +
+        slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
+        slice1cost_column_0_1_folded_value_3 + as_number(slice1cost_column_0_1_is_less_3) +
+        as_number(slice1cost_column_0_1_is_less_4) + slice1cost_column_0_1_folded_value_4 +
+        ((folded(slice1cost_column_0_1_difference_5) + as_number((slice1cost_column_0_1_difference_5 < 0))) mod 256);
       slice1cost_column_0_2 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_0_2_difference < 0)) + slice1cost_column_0_2_choice +
-        as_number(slice1cost_column_0_2_is_less_2) + as_number(slice1cost_column_0_2_is_less_3) +
-        slice1cost_column_0_2_choice_2 + slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
-        folded(slice1cost_column_0_2_difference);
-      slice1cost_column_1_0 <= 0 when slice0cost_difference_tag_border_column else slice1cost_column_0_0_choice +
-        as_number(slice1cost_column_0_0_is_less_2) + as_number(slice1cost_column_0_0_is_less_3) +
-        slice1cost_column_0_0_choice_2 + slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
-        slice1cost_column_1_0_folded_value + as_number(slice1cost_column_1_0_is_less);
-      slice1cost_column_1_1 <= 0 when slice0cost_difference_tag_border_column else slice1cost_column_0_1_choice +
-        as_number(slice1cost_column_0_1_is_less_2) + as_number(slice1cost_column_0_1_is_less_3) +
-        slice1cost_column_0_1_choice_2 + slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
-        slice1cost_column_1_1_folded_value + as_number(slice1cost_column_1_1_is_less);
-      slice1cost_column_1_2 <= 0 when slice0cost_difference_tag_border_column else slice1cost_column_0_2_choice +
-        as_number(slice1cost_column_0_2_is_less_2) + as_number(slice1cost_column_0_2_is_less_3) +
-        slice1cost_column_0_2_choice_2 + slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
-        slice1cost_column_1_2_folded_value + as_number(slice1cost_column_1_2_is_less);
+        as_number(slice1cost_column_0_2_is_less) + as_number(slice1cost_column_0_2_is_less_2) +
+        slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
+        slice1cost_column_0_2_folded_value_3 + as_number(slice1cost_column_0_2_is_less_3) +
+        as_number(slice1cost_column_0_2_is_less_4) + slice1cost_column_0_2_folded_value_4 +
+        ((folded(slice1cost_column_0_2_difference_5) + as_number((slice1cost_column_0_2_difference_5 < 0))) mod 256);
+      slice1cost_column_1_0 <= 0 when slice0cost_difference_tag_border_column else
+        as_number(slice1cost_column_0_0_is_less) + as_number(slice1cost_column_0_0_is_less_2) +
+        slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
+        slice1cost_column_0_0_folded_value_3 + as_number(slice1cost_column_0_0_is_less_3) +
+        as_number(slice1cost_column_0_0_is_less_4) + slice1cost_column_0_0_folded_value_4 +
+        ((slice1cost_column_1_0_folded_value + as_number(slice1cost_column_1_0_is_less)) mod 256);
+      slice1cost_column_1_1 <= 0 when slice0cost_difference_tag_border_column else
+        as_number(slice1cost_column_0_1_is_less) + as_number(slice1cost_column_0_1_is_less_2) +
+        slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
+        slice1cost_column_0_1_folded_value_3 + as_number(slice1cost_column_0_1_is_less_3) +
+        as_number(slice1cost_column_0_1_is_less_4) + slice1cost_column_0_1_folded_value_4 +
+        ((slice1cost_column_1_1_folded_value + as_number(slice1cost_column_1_1_is_less)) mod 256);
+      slice1cost_column_1_2 <= 0 when slice0cost_difference_tag_border_column else
+        as_number(slice1cost_column_0_2_is_less) + as_number(slice1cost_column_0_2_is_less_2) +
+        slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
+        slice1cost_column_0_2_folded_value_3 + as_number(slice1cost_column_0_2_is_less_3) +
+        as_number(slice1cost_column_0_2_is_less_4) + slice1cost_column_0_2_folded_value_4 +
+        ((slice1cost_column_1_2_folded_value + as_number(slice1cost_column_1_2_is_less)) mod 256);
       slice1cost_column_2_0 <= 0 when slice0cost_difference_tag_border_column else
-        as_number(slice1cost_column_0_0_is_less) + slice1cost_column_1_0_folded_value +
-        as_number(slice1cost_column_1_0_is_less) + slice1cost_column_2_0_choice +
-        as_number(slice1cost_column_0_0_is_less_3) + slice1cost_column_0_0_choice_2 +
-        slice1cost_column_0_0_folded_value + folded(slice1cost_column_0_0_difference_2);
+        as_number(slice1cost_column_1_0_is_less) + slice1cost_column_2_0_folded_value +
+        slice1cost_column_1_0_folded_value + as_number(slice1cost_column_2_0_is_less) +
+        as_number(slice1cost_column_0_0_is_less) + as_number(slice1cost_column_0_0_is_less_2) +
+        slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
+        ((slice1cost_column_0_0_folded_value_3 + as_number(slice1cost_column_0_0_is_less_4)) mod 256);
       slice1cost_column_2_1 <= 0 when slice0cost_difference_tag_border_column else
-        as_number(slice1cost_column_0_1_is_less) + slice1cost_column_1_1_folded_value +
-        as_number(slice1cost_column_1_1_is_less) + slice1cost_column_2_1_choice +
-        as_number(slice1cost_column_0_1_is_less_3) + slice1cost_column_0_1_choice_2 +
-        slice1cost_column_0_1_folded_value + folded(slice1cost_column_0_1_difference_2);
+        as_number(slice1cost_column_1_1_is_less) + slice1cost_column_2_1_folded_value +
+        slice1cost_column_1_1_folded_value + as_number(slice1cost_column_2_1_is_less) +
+        as_number(slice1cost_column_0_1_is_less) + as_number(slice1cost_column_0_1_is_less_2) +
+        slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
+        ((slice1cost_column_0_1_folded_value_3 + as_number(slice1cost_column_0_1_is_less_4)) mod 256);
       slice1cost_column_2_2 <= 0 when slice0cost_difference_tag_border_column else
-        as_number(slice1cost_column_0_2_is_less) + slice1cost_column_1_2_folded_value +
-        as_number(slice1cost_column_1_2_is_less) + slice1cost_column_2_2_choice +
-        as_number(slice1cost_column_0_2_is_less_3) + slice1cost_column_0_2_choice_2 +
-        slice1cost_column_0_2_folded_value + folded(slice1cost_column_0_2_difference_2);
+        as_number(slice1cost_column_1_2_is_less) + slice1cost_column_2_2_folded_value +
+        slice1cost_column_1_2_folded_value + as_number(slice1cost_column_2_2_is_less) +
+        as_number(slice1cost_column_0_2_is_less) + as_number(slice1cost_column_0_2_is_less_2) +
+        slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
+        ((slice1cost_column_0_2_folded_value_3 + as_number(slice1cost_column_0_2_is_less_4)) mod 256);
       slice1cost_column_3_0 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_3_0_difference < 0)) + slice1cost_column_1_0_folded_value +
-        as_number(slice1cost_column_1_0_is_less) + slice1cost_column_2_0_choice +
-        as_number(slice1cost_column_0_0_is_less_3) + slice1cost_column_0_0_choice_2 +
-        slice1cost_column_0_0_folded_value + folded(slice1cost_column_3_0_difference);
+        as_number(slice1cost_column_1_0_is_less) + slice1cost_column_2_0_folded_value +
+        slice1cost_column_1_0_folded_value + as_number(slice1cost_column_2_0_is_less) +
+        as_number(slice1cost_column_0_0_is_less) + as_number(slice1cost_column_0_0_is_less_2) +
+        slice1cost_column_0_0_folded_value + slice1cost_column_0_0_folded_value_2 +
+        ((folded(slice1cost_column_3_0_difference) + as_number((slice1cost_column_3_0_difference < 0))) mod 256);
       slice1cost_column_3_1 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_3_1_difference < 0)) + slice1cost_column_1_1_folded_value +
-        as_number(slice1cost_column_1_1_is_less) + slice1cost_column_2_1_choice +
-        as_number(slice1cost_column_0_1_is_less_3) + slice1cost_column_0_1_choice_2 +
-        slice1cost_column_0_1_folded_value + folded(slice1cost_column_3_1_difference);
+        as_number(slice1cost_column_1_1_is_less) + slice1cost_column_2_1_folded_value +
+        slice1cost_column_1_1_folded_value + as_number(slice1cost_column_2_1_is_less) +
+        as_number(slice1cost_column_0_1_is_less) + as_number(slice1cost_column_0_1_is_less_2) +
+        slice1cost_column_0_1_folded_value + slice1cost_column_0_1_folded_value_2 +
+        ((folded(slice1cost_column_3_1_difference) + as_number((slice1cost_column_3_1_difference < 0))) mod 256);
       slice1cost_column_3_2 <= 0 when slice0cost_difference_tag_border_column else
-        as_number((slice1cost_column_3_2_difference < 0)) + slice1cost_column_1_2_folded_value +
-        as_number(slice1cost_column_1_2_is_less) + slice1cost_column_2_2_choice +
-        as_number(slice1cost_column_0_2_is_less_3) + slice1cost_column_0_2_choice_2 +
-        slice1cost_column_0_2_folded_value + folded(slice1cost_column_3_2_difference);
+        as_number(slice1cost_column_1_2_is_less) + slice1cost_column_2_2_folded_value +
+        slice1cost_column_1_2_folded_value + as_number(slice1cost_column_2_2_is_less) +
+        as_number(slice1cost_column_0_2_is_less) + as_number(slice1cost_column_0_2_is_less_2) +
+        slice1cost_column_0_2_folded_value + slice1cost_column_0_2_folded_value_2 +
+        ((folded(slice1cost_column_3_2_difference) + as_number((slice1cost_column_3_2_difference < 0))) mod 256);
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1162,64 +1178,83 @@ begin
       slice1window_sum_3_1 <= slice1cost_column_3_1 + slice1window_partial_3_3_1;
       slice1window_sum_3_2 <= slice1cost_column_3_2 + slice1window_partial_3_3_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_2_0_is_less := slice1window_sum_2_1 < slice1window_sum_2_0;
-      slice1winner1_best_cost_3_0_is_less := slice1window_sum_3_1 < slice1window_sum_3_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
-      slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
-      slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
-      slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0_is_less := slice1winner1_best_cost_2_1 < slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0_is_less := slice1winner1_best_cost_3_1 < slice1winner1_best_cost_3_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_pair_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
+      slice1winner1_of_pair_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 13)) or (to_unsigned(slice1winner1_of_pair_0_1, 13))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 13)) or (to_unsigned(slice1winner1_of_pair_1_1, 13))))) < 0;
+      slice1winner1_of_four_2_0_is_less := (slice1winner1_of_pair_2_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_2_0, 13)) or (to_unsigned(slice1winner1_of_pair_2_1, 13))))) < 0;
+      slice1winner1_of_four_3_0_is_less := (slice1winner1_of_pair_3_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_3_0, 13)) or (to_unsigned(slice1winner1_of_pair_3_1, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_of_pair_2_0 <= 0 when slice1winner1_of_pair_2_0_is_less else slice1window_sum_2_0;
+      slice1winner1_of_pair_2_1 <= slice1window_sum_2_1 when slice1winner1_of_pair_2_0_is_less else 0;
+      slice1winner1_of_pair_2_2 <= slice1window_sum_2_2;
+      slice1winner1_of_pair_3_0 <= 0 when slice1winner1_of_pair_3_0_is_less else slice1window_sum_3_0;
+      slice1winner1_of_pair_3_1 <= slice1window_sum_3_1 when slice1winner1_of_pair_3_0_is_less else 0;
+      slice1winner1_of_pair_3_2 <= slice1window_sum_3_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_pair_index_2_0 <= slice1winner1_of_pair_2_0_is_less;
+      slice1winner1_pair_index_3_0 <= slice1winner1_of_pair_3_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_of_four_2_0 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_0;
+      slice1winner1_of_four_2_1 <= 0 when slice1winner1_of_four_2_0_is_less else slice1winner1_of_pair_2_1;
+      slice1winner1_of_four_2_2 <= slice1winner1_of_pair_2_2 when slice1winner1_of_four_2_0_is_less else 0;
+      slice1winner1_of_four_3_0 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_0;
+      slice1winner1_of_four_3_1 <= 0 when slice1winner1_of_four_3_0_is_less else slice1winner1_of_pair_3_1;
+      slice1winner1_of_four_3_2 <= slice1winner1_of_pair_3_2 when slice1winner1_of_four_3_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_four_index_2_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_2_0_is_less else
+        as_number(slice1winner1_pair_index_2_0);
+      slice1winner1_four_index_3_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_3_0_is_less else
+        as_number(slice1winner1_pair_index_3_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 13)))) or (to_unsigned(slice1winner1_of_four_0_0, 13))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 13)))) or (to_unsigned(slice1winner1_of_four_1_0, 13))));
+      slice1winner1_best_cost_2_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_2_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_2_2, 13)))) or (to_unsigned(slice1winner1_of_four_2_0, 13))));
+      slice1winner1_best_cost_3_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_3_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_3_2, 13)))) or (to_unsigned(slice1winner1_of_four_3_0, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      slice1winner1_best_index_2_0 <= slice1winner1_four_index_2_0;
+      slice1winner1_best_index_3_0 <= slice1winner1_four_index_3_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0_is_less := slice0_best_cost_2_0 < slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0_is_less := slice0_best_cost_3_0 < slice1winner2_best_cost_3_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner1_best_cost_2_0) < 0;
+      slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner1_best_cost_3_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
+      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner1_best_cost_2_0;
+      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner1_best_cost_3_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
+        (((slice1winner1_best_index_2_0 / 2) + 1) * 2) + (slice1winner1_best_index_2_0 mod 2);
       slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
+        (((slice1winner1_best_index_3_0 / 2) + 1) * 2) + (slice1winner1_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1252,46 +1287,32 @@ begin
       slice2shift_reference_6 <= slice1shift_reference_6;
       slice2shift_reference_7 <= slice1shift_reference_7;
       -- slice2cost
-      slice2cost_column_0_0_difference := slice2shift_search_0_0 - slice2shift_reference_0;
-      slice2cost_column_0_0_difference_2 := slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_column_0_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_column_0_0_folded_value := folded(slice2cost_column_0_0_difference);
+      slice2cost_column_0_0_difference_2 := slice2shift_search_1_0 - slice2shift_reference_1;
       slice2cost_column_0_0_is_less := slice2cost_column_0_0_difference_2 < 0;
-      if slice2cost_column_0_0_is_less then
-        slice2cost_column_0_0_choice := (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      else
-        slice2cost_column_0_0_choice := positive_part(slice2cost_column_0_0_difference_2);
-      end if;
-      slice2cost_column_0_0_difference_3 := slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_column_0_0_difference_3 := slice2shift_search_4_0 - slice2shift_reference_4;
       slice2cost_column_0_0_is_less_2 := slice2cost_column_0_0_difference_3 < 0;
-      slice2cost_column_0_0_difference_4 := slice2shift_search_4_0 - slice2shift_reference_4;
-      if slice2cost_column_0_0_difference_4 < 0 then
-        slice2cost_column_0_0_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
-      else
-        slice2cost_column_0_0_choice_2 := positive_part(slice2cost_column_0_0_difference_4);
-      end if;
-      slice2cost_column_0_0_folded_value := folded(slice2cost_column_0_0_difference_3);
-      slice2cost_column_0_0_difference_5 := slice2shift_search_1_0 - slice2shift_reference_1;
-      slice2cost_column_0_0_is_less_3 := slice2cost_column_0_0_difference_5 < 0;
-      slice2cost_column_0_0_folded_value_2 := folded(slice2cost_column_0_0_difference_5);
-      slice2cost_column_0_1_difference := slice2shift_search_0_1 - slice2shift_reference_0;
-      slice2cost_column_0_1_difference_2 := slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_column_0_0_folded_value_2 := folded(slice2cost_column_0_0_difference_3);
+      slice2cost_column_0_0_difference_4 := slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_column_0_0_is_less_3 := slice2cost_column_0_0_difference_4 < 0;
+      slice2cost_column_0_0_folded_value_3 := folded(slice2cost_column_0_0_difference_4);
+      slice2cost_column_0_0_is_less_4 := slice2cost_column_0_0_difference < 0;
+      slice2cost_column_0_0_folded_value_4 := folded(slice2cost_column_0_0_difference_2);
+      slice2cost_column_0_0_difference_5 := slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_column_0_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_column_0_1_folded_value := folded(slice2cost_column_0_1_difference);
+      slice2cost_column_0_1_difference_2 := slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_column_0_1_is_less := slice2cost_column_0_1_difference_2 < 0;
-      if slice2cost_column_0_1_is_less then
-        slice2cost_column_0_1_choice := (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      else
-        slice2cost_column_0_1_choice := positive_part(slice2cost_column_0_1_difference_2);
-      end if;
-      slice2cost_column_0_1_difference_3 := slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_column_0_1_difference_3 := slice2shift_search_4_1 - slice2shift_reference_4;
       slice2cost_column_0_1_is_less_2 := slice2cost_column_0_1_difference_3 < 0;
-      slice2cost_column_0_1_difference_4 := slice2shift_search_4_1 - slice2shift_reference_4;
-      if slice2cost_column_0_1_difference_4 < 0 then
-        slice2cost_column_0_1_choice_2 := (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
-      else
-        slice2cost_column_0_1_choice_2 := positive_part(slice2cost_column_0_1_difference_4);
-      end if;
-      slice2cost_column_0_1_folded_value := folded(slice2cost_column_0_1_difference_3);
-      slice2cost_column_0_1_difference_5 := slice2shift_search_1_1 - slice2shift_reference_1;
-      slice2cost_column_0_1_is_less_3 := slice2cost_column_0_1_difference_5 < 0;
-      slice2cost_column_0_1_folded_value_2 := folded(slice2cost_column_0_1_difference_5);
+      slice2cost_column_0_1_folded_value_2 := folded(slice2cost_column_0_1_difference_3);
+      slice2cost_column_0_1_difference_4 := slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_column_0_1_is_less_3 := slice2cost_column_0_1_difference_4 < 0;
+      slice2cost_column_0_1_folded_value_3 := folded(slice2cost_column_0_1_difference_4);
+      slice2cost_column_0_1_is_less_4 := slice2cost_column_0_1_difference < 0;
+      slice2cost_column_0_1_folded_value_4 := folded(slice2cost_column_0_1_difference_2);
+      slice2cost_column_0_1_difference_5 := slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_column_1_0_difference := slice2shift_search_5_0 - slice2shift_reference_5;
       slice2cost_column_1_0_folded_value := folded(slice2cost_column_1_0_difference);
       slice2cost_column_1_0_is_less := slice2cost_column_1_0_difference < 0;
@@ -1299,61 +1320,63 @@ begin
       slice2cost_column_1_1_folded_value := folded(slice2cost_column_1_1_difference);
       slice2cost_column_1_1_is_less := slice2cost_column_1_1_difference < 0;
       slice2cost_column_2_0_difference := slice2shift_search_6_0 - slice2shift_reference_6;
-      if slice2cost_column_2_0_difference < 0 then
-        slice2cost_column_2_0_choice := (slice2shift_reference_6 - slice2shift_search_6_0) mod 256;
-      else
-        slice2cost_column_2_0_choice := positive_part(slice2cost_column_2_0_difference);
-      end if;
+      slice2cost_column_2_0_folded_value := folded(slice2cost_column_2_0_difference);
+      slice2cost_column_2_0_is_less := slice2cost_column_2_0_difference < 0;
       slice2cost_column_2_1_difference := slice2shift_search_6_1 - slice2shift_reference_6;
-      if slice2cost_column_2_1_difference < 0 then
-        slice2cost_column_2_1_choice := (slice2shift_reference_6 - slice2shift_search_6_1) mod 256;
-      else
-        slice2cost_column_2_1_choice := positive_part(slice2cost_column_2_1_difference);
-      end if;
+      slice2cost_column_2_1_folded_value := folded(slice2cost_column_2_1_difference);
+      slice2cost_column_2_1_is_less := slice2cost_column_2_1_difference < 0;
       slice2cost_column_3_0_difference := slice2shift_search_7_0 - slice2shift_reference_7;
       slice2cost_column_3_1_difference := slice2shift_search_7_1 - slice2shift_reference_7;
-      slice2cost_column_0_0 <= 0 when slice1cost_difference_tag_border_column else
-        as_number((slice2cost_column_0_0_difference < 0)) + slice2cost_column_0_0_choice +
-        as_number(slice2cost_column_0_0_is_less_2) + slice2cost_column_0_0_choice_2 +
-        slice2cost_column_0_0_folded_value + as_number(slice2cost_column_0_0_is_less_3) +
-        slice2cost_column_0_0_folded_value_2 + folded(slice2cost_column_0_0_difference);
-      slice2cost_column_0_1 <= 0 when slice1cost_difference_tag_border_column else
-        as_number((slice2cost_column_0_1_difference < 0)) + slice2cost_column_0_1_choice +
-        as_number(slice2cost_column_0_1_is_less_2) + slice2cost_column_0_1_choice_2 +
-        slice2cost_column_0_1_folded_value + as_number(slice2cost_column_0_1_is_less_3) +
-        slice2cost_column_0_1_folded_value_2 + folded(slice2cost_column_0_1_difference);
-      slice2cost_column_1_0 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_0_choice +
-        as_number(slice2cost_column_0_0_is_less_2) + slice2cost_column_0_0_choice_2 +
-        slice2cost_column_0_0_folded_value + as_number(slice2cost_column_0_0_is_less_3) +
-        slice2cost_column_0_0_folded_value_2 + slice2cost_column_1_0_folded_value +
-        as_number(slice2cost_column_1_0_is_less);
-      slice2cost_column_1_1 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_1_choice +
-        as_number(slice2cost_column_0_1_is_less_2) + slice2cost_column_0_1_choice_2 +
-        slice2cost_column_0_1_folded_value + as_number(slice2cost_column_0_1_is_less_3) +
-        slice2cost_column_0_1_folded_value_2 + slice2cost_column_1_1_folded_value +
-        as_number(slice2cost_column_1_1_is_less);
-      slice2cost_column_2_0 <= 0 when slice1cost_difference_tag_border_column else
-        as_number(slice2cost_column_0_0_is_less) + slice2cost_column_1_0_folded_value +
-        as_number(slice2cost_column_1_0_is_less) + slice2cost_column_2_0_choice +
-        as_number(slice2cost_column_0_0_is_less_2) + slice2cost_column_0_0_choice_2 +
-        slice2cost_column_0_0_folded_value + folded(slice2cost_column_0_0_difference_2);
-      slice2cost_column_2_1 <= 0 when slice1cost_difference_tag_border_column else
-        as_number(slice2cost_column_0_1_is_less) + slice2cost_column_1_1_folded_value +
-        as_number(slice2cost_column_1_1_is_less) + slice2cost_column_2_1_choice +
-        as_number(slice2cost_column_0_1_is_less_2) + slice2cost_column_0_1_choice_2 +
-        slice2cost_column_0_1_folded_value + folded(slice2cost_column_0_1_difference_2);
-      slice2cost_column_3_0 <= 0 when slice1cost_difference_tag_border_column else
-        as_number((slice2cost_column_3_0_difference < 0)) + slice2cost_column_1_0_folded_value +
-        as_number(slice2cost_column_1_0_is_less) + slice2cost_column_2_0_choice +
-        as_number(slice2cost_column_0_0_is_less_2) + slice2cost_column_0_0_choice_2 +
-        slice2cost_column_0_0_folded_value + folded(slice2cost_column_3_0_difference);
-      slice2cost_column_3_1 <= 0 when slice1cost_difference_tag_border_column else
-        as_number((slice2cost_column_3_1_difference < 0)) + slice2cost_column_1_1_folded_value +
-        as_number(slice2cost_column_1_1_is_less) + slice2cost_column_2_1_choice +
-        as_number(slice2cost_column_0_1_is_less_2) + slice2cost_column_0_1_choice_2 +
-        slice2cost_column_0_1_folded_value + folded(slice2cost_column_3_1_difference);
+      slice2cost_column_0_0 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_0_folded_value +
+        as_number(slice2cost_column_0_0_is_less) + as_number(slice2cost_column_0_0_is_less_2) +
+        slice2cost_column_0_0_folded_value_2 + as_number(slice2cost_column_0_0_is_less_3) +
+        slice2cost_column_0_0_folded_value_3 + as_number(slice2cost_column_0_0_is_less_4) +
+        slice2cost_column_0_0_folded_value_4 + ((folded(slice2cost_column_0_0_difference_5) +
+        as_number((slice2cost_column_0_0_difference_5 < 0))) mod 256);
+      slice2cost_column_0_1 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_1_folded_value +
+        as_number(slice2cost_column_0_1_is_less) + as_number(slice2cost_column_0_1_is_less_2) +
+        slice2cost_column_0_1_folded_value_2 + as_number(slice2cost_column_0_1_is_less_3) +
+        slice2cost_column_0_1_folded_value_3 + as_number(slice2cost_column_0_1_is_less_4) +
+        slice2cost_column_0_1_folded_value_4 + ((folded(slice2cost_column_0_1_difference_5) +
+        as_number((slice2cost_column_0_1_difference_5 < 0))) mod 256);
+      slice2cost_column_1_0 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_0_folded_value +
+        as_number(slice2cost_column_0_0_is_less) + as_number(slice2cost_column_0_0_is_less_2) +
+        slice2cost_column_0_0_folded_value_2 + as_number(slice2cost_column_0_0_is_less_3) +
+        slice2cost_column_0_0_folded_value_3 + as_number(slice2cost_column_0_0_is_less_4) +
+        slice2cost_column_0_0_folded_value_4 + ((slice2cost_column_1_0_folded_value +
+        as_number(slice2cost_column_1_0_is_less)) mod 256);
+      slice2cost_column_1_1 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_0_1_folded_value +
+        as_number(slice2cost_column_0_1_is_less) + as_number(slice2cost_column_0_1_is_less_2) +
+        slice2cost_column_0_1_folded_value_2 + as_number(slice2cost_column_0_1_is_less_3) +
+        slice2cost_column_0_1_folded_value_3 + as_number(slice2cost_column_0_1_is_less_4) +
+        slice2cost_column_0_1_folded_value_4 + ((slice2cost_column_1_1_folded_value +
+        as_number(slice2cost_column_1_1_is_less)) mod 256);
+      slice2cost_column_2_0 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_2_0_folded_value +
+        as_number(slice2cost_column_1_0_is_less) + slice2cost_column_1_0_folded_value +
+        as_number(slice2cost_column_2_0_is_less) + as_number(slice2cost_column_0_0_is_less_2) +
+        slice2cost_column_0_0_folded_value_2 + as_number(slice2cost_column_0_0_is_less_3) +
+        slice2cost_column_0_0_folded_value_3 + ((slice2cost_column_0_0_folded_value +
+        as_number(slice2cost_column_0_0_is_less_4)) mod 256);
+      slice2cost_column_2_1 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_2_1_folded_value +
+        as_number(slice2cost_column_1_1_is_less) + slice2cost_column_1_1_folded_value +
+        as_number(slice2cost_column_2_1_is_less) + as_number(slice2cost_column_0_1_is_less_2) +
+        slice2cost_column_0_1_folded_value_2 + as_number(slice2cost_column_0_1_is_less_3) +
+        slice2cost_column_0_1_folded_value_3 + ((slice2cost_column_0_1_folded_value +
+        as_number(slice2cost_column_0_1_is_less_4)) mod 256);
+      slice2cost_column_3_0 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_2_0_folded_value +
+        as_number(slice2cost_column_1_0_is_less) + slice2cost_column_1_0_folded_value +
+        as_number(slice2cost_column_2_0_is_less) + as_number(slice2cost_column_0_0_is_less_2) +
+        slice2cost_column_0_0_folded_value_2 + as_number(slice2cost_column_0_0_is_less_3) +
+        slice2cost_column_0_0_folded_value_3 + ((folded(slice2cost_column_3_0_difference) +
+        as_number((slice2cost_column_3_0_difference < 0))) mod 256);
+      slice2cost_column_3_1 <= 0 when slice1cost_difference_tag_border_column else slice2cost_column_2_1_folded_value +
+        as_number(slice2cost_column_1_1_is_less) + slice2cost_column_1_1_folded_value +
+        as_number(slice2cost_column_2_1_is_less) + as_number(slice2cost_column_0_1_is_less_2) +
+        slice2cost_column_0_1_folded_value_2 + as_number(slice2cost_column_0_1_is_less_3) +
+        slice2cost_column_0_1_folded_value_3 + ((folded(slice2cost_column_3_1_difference) +
+        as_number((slice2cost_column_3_1_difference < 0))) mod 256);
       -- slice2window
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
         slice2window_partial_0_0_1 <= slice2cost_column_0_1;
         slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
@@ -1398,10 +1421,10 @@ begin
       slice2window_sum_3_0 <= slice2cost_column_3_0 + slice2window_partial_3_3_0;
       slice2window_sum_3_1 <= slice2cost_column_3_1 + slice2window_partial_3_3_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0_is_less := slice2window_sum_2_1 < slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0_is_less := slice2window_sum_3_1 < slice2window_sum_3_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
+      slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
+      slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -1423,15 +1446,24 @@ begin
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_cost_2_0 <= slice2winner2_best_cost_2_0;
+      slice2winner3_best_cost_3_0 <= slice2winner2_best_cost_3_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
+      slice2winner3_best_index_2_0 <= slice2winner2_best_index_2_0;
+      slice2winner3_best_index_3_0 <= slice2winner2_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when slice1_best_cost_2_0 < slice2winner2_best_cost_2_0 else
-        as_number(slice2winner2_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when slice1_best_cost_3_0 < slice2winner2_best_cost_3_0 else
-        as_number(slice2winner2_best_index_3_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
+      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner3_best_cost_2_0) < 0 else
+        as_number(slice2winner3_best_index_2_0);
+      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner3_best_cost_3_0) < 0 else
+        as_number(slice2winner3_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1440,10 +1472,10 @@ begin
       other_0 <= rows_reference_rows_read_newest_2 + (rows_reference_rows_read_newest_3 * 256);
       other_1 <= (rows_search_rows_read_newest_3 * 256) + rows_search_rows_read_newest_2;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 4;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1480,14 +1512,18 @@ begin
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

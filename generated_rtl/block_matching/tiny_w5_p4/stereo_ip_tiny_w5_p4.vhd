@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 13,
+      latency_clocks => 14,
       flush_groups => 33,
       gap_groups => 0,
-      core_id => x"04e435d2",
+      core_id => x"3786a363",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 4,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 13,
+      latency_clocks => 14,
       flush_groups => 33,
       gap_groups => 0)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration tiny_w7: 32x12, 8 disparities, window 7x7, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration tiny_w7: 32x12, 8 disparities, window 7x7, 1 pixel pair a clock.
 -- Options: disparities 8, window_px 7, slice_disparities 3, winner_group 3.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_w7
@@ -47,14 +47,6 @@ begin
 end entity;
 
 architecture rtl of stereo_core_tiny_w7 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_w7 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,7 +92,7 @@ architecture rtl of stereo_core_tiny_w7 is
   signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -149,39 +147,39 @@ architecture rtl of stereo_core_tiny_w7 is
   signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -255 to 255;
   signal slice0cost_difference_5_0, slice0cost_difference_5_1, slice0cost_difference_5_2 : integer range -255 to 255;
   signal slice0cost_difference_6_0, slice0cost_difference_6_1, slice0cost_difference_6_2 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_1_0, slice0cost_reverse_1_1, slice0cost_reverse_1_2 : natural range 0 to 255;
-  signal slice0cost_reverse_2_0, slice0cost_reverse_2_1, slice0cost_reverse_2_2 : natural range 0 to 255;
-  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_2, slice0cost_negative_1_0, slice0cost_negative_1_1, slice0cost_negative_1_2 : boolean;
+  signal slice0cost_negative_2_0, slice0cost_negative_2_1, slice0cost_negative_2_2, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_1_0 : natural range 0 to 511;
   signal slice0cost_pair_1_1, slice0cost_pair_1_2, slice0cost_pair_2_0, slice0cost_pair_2_1 : natural range 0 to 511;
   signal slice0cost_pair_2_2 : natural range 0 to 511;
-  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1789;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1791;
   -- slice0window
-  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1789;
-  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 3578;
-  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 5367;
-  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 7156;
-  signal slice0window_partial_0_4_0, slice0window_partial_0_4_1, slice0window_partial_0_4_2 : natural range 0 to 8945;
-  signal slice0window_partial_0_5_0, slice0window_partial_0_5_1, slice0window_partial_0_5_2 : natural range 0 to 10734;
-  signal slice0window_centre_output_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_start_of_frame_1, slice0window_centre_start_of_frame_2 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_start_of_frame : boolean;
-  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 12523;
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1791;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 3582;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 5373;
+  signal slice0window_partial_0_3_0, slice0window_partial_0_3_1, slice0window_partial_0_3_2 : natural range 0 to 7164;
+  signal slice0window_partial_0_4_0, slice0window_partial_0_4_1, slice0window_partial_0_4_2 : natural range 0 to 8955;
+  signal slice0window_partial_0_5_0, slice0window_partial_0_5_1, slice0window_partial_0_5_2 : natural range 0 to 10746;
+  signal slice0window_centre_output_column_0, slice0window_centre_output_column_1 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
+  signal slice0window_centre_start_of_frame_2, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_start_of_frame : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 12537;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0 : natural range 0 to 12523;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 12537;
   signal slice0winner1_best_index_0_0 : natural range 0 to 2;
   signal slice0winner1_tag_valid, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
   signal slice0winner1_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0 : natural range 0 to 12523;
+  signal slice0_best_cost_0_0 : natural range 0 to 12537;
   signal slice0_best_index_0_0 : natural range 0 to 7;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -206,30 +204,28 @@ architecture rtl of stereo_core_tiny_w7 is
   signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -255 to 255;
   signal slice1cost_difference_5_0, slice1cost_difference_5_1, slice1cost_difference_5_2 : integer range -255 to 255;
   signal slice1cost_difference_6_0, slice1cost_difference_6_1, slice1cost_difference_6_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_1_0, slice1cost_reverse_1_1, slice1cost_reverse_1_2 : natural range 0 to 255;
-  signal slice1cost_reverse_2_0, slice1cost_reverse_2_1, slice1cost_reverse_2_2 : natural range 0 to 255;
-  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_1_0 : natural range 0 to 511;
   signal slice1cost_pair_1_1, slice1cost_pair_1_2, slice1cost_pair_2_0, slice1cost_pair_2_1 : natural range 0 to 511;
   signal slice1cost_pair_2_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
-  signal slice1cost_tag_border_column : boolean;
-  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1789;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_1_0 : boolean;
+  signal slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_negative_2_0, slice1cost_negative_2_1 : boolean;
+  signal slice1cost_negative_2_2, slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1791;
   -- slice1window
-  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1789;
-  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 3578;
-  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 5367;
-  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 7156;
-  signal slice1window_partial_0_4_0, slice1window_partial_0_4_1, slice1window_partial_0_4_2 : natural range 0 to 8945;
-  signal slice1window_partial_0_5_0, slice1window_partial_0_5_1, slice1window_partial_0_5_2 : natural range 0 to 10734;
-  signal slice1window_centre_output_column_0, slice1window_centre_end_of_line_0 : boolean;
-  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 12523;
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1791;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 3582;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 5373;
+  signal slice1window_partial_0_3_0, slice1window_partial_0_3_1, slice1window_partial_0_3_2 : natural range 0 to 7164;
+  signal slice1window_partial_0_4_0, slice1window_partial_0_4_1, slice1window_partial_0_4_2 : natural range 0 to 8955;
+  signal slice1window_partial_0_5_0, slice1window_partial_0_5_1, slice1window_partial_0_5_2 : natural range 0 to 10746;
+  signal slice1window_centre_output_column_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 12537;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0 : natural range 0 to 12523;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 12537;
   signal slice1winner1_best_index_0_0 : natural range 0 to 2;
   -- slice1
-  signal slice1_best_cost_0_0 : natural range 0 to 12523;
+  signal slice1_best_cost_0_0 : natural range 0 to 12537;
   signal slice1_best_index_0_0 : natural range 0 to 7;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
@@ -247,25 +243,24 @@ architecture rtl of stereo_core_tiny_w7 is
   signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_4_0 : integer range -255 to 255;
   signal slice2cost_difference_4_1, slice2cost_difference_5_0, slice2cost_difference_5_1 : integer range -255 to 255;
   signal slice2cost_difference_6_0, slice2cost_difference_6_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_reverse_1_0 : natural range 0 to 255;
-  signal slice2cost_reverse_1_1, slice2cost_reverse_2_0, slice2cost_reverse_2_1 : natural range 0 to 255;
-  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0, slice2cost_pair_1_1 : natural range 0 to 511;
   signal slice2cost_pair_2_0, slice2cost_pair_2_1 : natural range 0 to 511;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
-  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1789;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
+  signal slice2cost_negative_2_0, slice2cost_negative_2_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1791;
   -- slice2window
-  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 1789;
-  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 3578;
-  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1 : natural range 0 to 5367;
-  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1 : natural range 0 to 7156;
-  signal slice2window_partial_0_4_0, slice2window_partial_0_4_1 : natural range 0 to 8945;
-  signal slice2window_partial_0_5_0, slice2window_partial_0_5_1 : natural range 0 to 10734;
-  signal slice2window_centre_output_column_0, slice2window_centre_output_column_1 : boolean;
-  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
-  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 12523;
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 1791;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 3582;
+  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1 : natural range 0 to 5373;
+  signal slice2window_partial_0_3_0, slice2window_partial_0_3_1 : natural range 0 to 7164;
+  signal slice2window_partial_0_4_0, slice2window_partial_0_4_1 : natural range 0 to 8955;
+  signal slice2window_partial_0_5_0, slice2window_partial_0_5_1 : natural range 0 to 10746;
+  signal slice2window_centre_output_column_1, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_end_of_line_1 : boolean;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 12537;
   -- slice2winner1
-  signal slice2winner1_best_cost_0_0 : natural range 0 to 12523;
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 12537;
   signal slice2winner1_best_index_0_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0 : natural range 0 to 7;
@@ -330,27 +325,14 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_is_equal_3 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, raster_features_start_of_frame_choice_3 : boolean;
-    variable delay_row_inside_3_is_less, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_0_is_less_2, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less_2, slice1_best_cost_0_0_is_less : boolean;
-    variable slice2winner1_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, delay_row_inside_3_is_not_less, delay_row_inside_3_is_less : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_0_is_less_2 : boolean;
+    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less_2 : boolean;
+    variable slice1_best_cost_0_0_is_less, slice2winner1_best_cost_0_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_1_0_choice : natural range 0 to 255;
-    variable slice0cost_pair_1_1_choice, slice0cost_pair_1_2_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_0_choice, slice0cost_pair_2_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_2_2_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_0_choice, slice1cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice1cost_pair_1_2_choice, slice1cost_pair_2_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_2_1_choice, slice1cost_pair_2_2_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice2cost_pair_1_0_choice, slice2cost_pair_1_1_choice : natural range 0 to 255;
-    variable slice2cost_pair_2_0_choice, slice2cost_pair_2_1_choice : natural range 0 to 255;
-    variable slice0winner1_best_cost_0_0_choice, slice1winner1_best_cost_0_0_choice : natural range 0 to 12523;
+    variable slice0winner1_best_cost_0_0_choice, slice1winner1_best_cost_0_0_choice : natural range 0 to 12537;
   begin
     if rising_edge(clock) then
       -- raster
@@ -360,7 +342,7 @@ begin
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 7;
       raster_place_group_choice_2 := raster_place_group_is_equal and in_valid and (not ((raster_place_group mod 2) =
         1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and in_valid;
-      raster_place_group_choice_3 := 3 when raster_features_start_of_frame and (raster_place_group = 14) else
+      raster_place_group_choice_3 := 3 when raster_place_next_frame and (raster_place_group = 14) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
@@ -369,37 +351,39 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        raster_place_group_is_equal_3 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_3 := raster_place_group_is_equal when in_start_of_frame else
-        raster_features_start_of_frame_choice_2;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := raster_place_group_is_equal when in_start_of_frame else
+        raster_place_next_frame_choice_2;
       if in_valid then
-        raster_features_start_of_frame <= raster_features_start_of_frame_choice_3 when raster_place_group_is_equal_2
-          else raster_features_start_of_frame_choice_2 and (not in_start_of_frame);
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_next_frame_choice_3 when raster_place_group_is_equal_2 else
+          raster_place_next_frame_choice_2 and (not in_start_of_frame);
       end if;
       -- delay
       if raster_features_valid then
         delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_3_is_less := ((raster_place_group + 65533) mod 65536) < 12;
+      delay_row_inside_3_is_not_less := raster_place_group >= 3;
+      delay_row_inside_3_is_less := raster_place_group < 15;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32765) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= ((raster_place_group + 65531) mod 65536) < 12;
+      delay_row_inside_1 <= raster_place_group >= 5;
       delay_row_inside_2 <= (((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) < 12;
-      delay_row_inside_3 <= delay_row_inside_3_is_less;
+      delay_row_inside_3 <= delay_row_inside_3_is_not_less and delay_row_inside_3_is_less;
       delay_row_inside_4 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_5 <= ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_5 <= (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_6 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
         (raster_place_column / 8) = 0;
-      delay_tag_output_column <= delay_row_inside_3_is_less and (((raster_place_column + 65529) mod 65536) < 24);
+      delay_tag_output_column <= delay_row_inside_3_is_not_less and delay_row_inside_3_is_less and (raster_place_column
+        >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 3);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -511,24 +495,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_1_0_choice := slice0cost_reverse_1_0 when slice0cost_difference_4_0 < 0 else
-        positive_part(slice0cost_difference_4_0);
-      slice0cost_pair_1_1_choice := slice0cost_reverse_1_1 when slice0cost_difference_4_1 < 0 else
-        positive_part(slice0cost_difference_4_1);
-      slice0cost_pair_1_2_choice := slice0cost_reverse_1_2 when slice0cost_difference_4_2 < 0 else
-        positive_part(slice0cost_difference_4_2);
-      slice0cost_pair_2_0_choice := slice0cost_reverse_2_0 when slice0cost_difference_6_0 < 0 else
-        positive_part(slice0cost_difference_6_0);
-      slice0cost_pair_2_1_choice := slice0cost_reverse_2_1 when slice0cost_difference_6_1 < 0 else
-        positive_part(slice0cost_difference_6_1);
-      slice0cost_pair_2_2_choice := slice0cost_reverse_2_2 when slice0cost_difference_6_2 < 0 else
-        positive_part(slice0cost_difference_6_2);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -550,55 +516,55 @@ begin
       slice0cost_difference_6_0 <= slice0shift_search_6_0 - slice0shift_reference_6;
       slice0cost_difference_6_1 <= slice0shift_search_6_1 - slice0shift_reference_6;
       slice0cost_difference_6_2 <= slice0shift_search_6_2 - slice0shift_reference_6;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_1_0 <= (slice0shift_reference_4 - slice0shift_search_4_0) mod 256;
-      slice0cost_reverse_1_1 <= (slice0shift_reference_4 - slice0shift_search_4_1) mod 256;
-      slice0cost_reverse_1_2 <= (slice0shift_reference_4 - slice0shift_search_4_2) mod 256;
-      slice0cost_reverse_2_0 <= (slice0shift_reference_6 - slice0shift_search_6_0) mod 256;
-      slice0cost_reverse_2_1 <= (slice0shift_reference_6 - slice0shift_search_6_1) mod 256;
-      slice0cost_reverse_2_2 <= (slice0shift_reference_6 - slice0shift_search_6_2) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_1_0 <= slice0cost_pair_1_0_choice + folded(slice0cost_difference_3_0) +
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + folded(slice0cost_difference_3_0) +
         as_number((slice0cost_difference_3_0 < 0));
-      slice0cost_pair_1_1 <= slice0cost_pair_1_1_choice + folded(slice0cost_difference_3_1) +
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + folded(slice0cost_difference_3_1) +
         as_number((slice0cost_difference_3_1 < 0));
-      slice0cost_pair_1_2 <= slice0cost_pair_1_2_choice + folded(slice0cost_difference_3_2) +
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + folded(slice0cost_difference_3_2) +
         as_number((slice0cost_difference_3_2 < 0));
-      slice0cost_pair_2_0 <= slice0cost_pair_2_0_choice + folded(slice0cost_difference_5_0) +
+      slice0cost_pair_2_0 <= folded(slice0cost_difference_6_0) + folded(slice0cost_difference_5_0) +
         as_number((slice0cost_difference_5_0 < 0));
-      slice0cost_pair_2_1 <= slice0cost_pair_2_1_choice + folded(slice0cost_difference_5_1) +
+      slice0cost_pair_2_1 <= folded(slice0cost_difference_6_1) + folded(slice0cost_difference_5_1) +
         as_number((slice0cost_difference_5_1 < 0));
-      slice0cost_pair_2_2 <= slice0cost_pair_2_2_choice + folded(slice0cost_difference_5_2) +
+      slice0cost_pair_2_2 <= folded(slice0cost_difference_6_2) + folded(slice0cost_difference_5_2) +
         as_number((slice0cost_difference_5_2 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_negative_2_0 <= slice0cost_difference_6_0 < 0;
+      slice0cost_negative_2_1 <= slice0cost_difference_6_1 < 0;
+      slice0cost_negative_2_2 <= slice0cost_difference_6_2 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_0 + slice0cost_pair_0_0
-        + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_0_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_1 + slice0cost_pair_0_1
-        + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_0_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_2_2 + slice0cost_pair_0_2
-        + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_0_2);
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 +
+        as_number(slice0cost_negative_0_0) + as_number(slice0cost_negative_1_0) + slice0cost_pair_2_0 +
+        as_number(slice0cost_negative_2_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 +
+        as_number(slice0cost_negative_0_1) + as_number(slice0cost_negative_1_1) + slice0cost_pair_2_1 +
+        as_number(slice0cost_negative_2_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 +
+        as_number(slice0cost_negative_0_2) + as_number(slice0cost_negative_1_2) + slice0cost_pair_2_2 +
+        as_number(slice0cost_negative_2_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -626,6 +592,7 @@ begin
         slice0window_partial_0_5_2 <= slice0cost_column_0_2 + slice0window_partial_0_4_2;
       end if;
       slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+      slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
       slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
@@ -638,10 +605,10 @@ begin
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_0_choice := slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
         slice0window_sum_0_0;
-      slice0winner1_best_cost_0_0_is_less_2 := slice0window_sum_0_2 < slice0winner1_best_cost_0_0_choice;
+      slice0winner1_best_cost_0_0_is_less_2 := (slice0window_sum_0_2 - slice0winner1_best_cost_0_0_choice) < 0;
       slice0winner1_best_cost_0_0 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_0_is_less_2 else
         slice0winner1_best_cost_0_0_choice;
       slice0winner1_best_index_0_0 <= 2 when slice0winner1_best_cost_0_0_is_less_2 else
@@ -698,24 +665,6 @@ begin
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       slice1shift_search_out_6 <= slice1shift_search_6_0;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_1_0_choice := slice1cost_reverse_1_0 when slice1cost_difference_4_0 < 0 else
-        positive_part(slice1cost_difference_4_0);
-      slice1cost_pair_1_1_choice := slice1cost_reverse_1_1 when slice1cost_difference_4_1 < 0 else
-        positive_part(slice1cost_difference_4_1);
-      slice1cost_pair_1_2_choice := slice1cost_reverse_1_2 when slice1cost_difference_4_2 < 0 else
-        positive_part(slice1cost_difference_4_2);
-      slice1cost_pair_2_0_choice := slice1cost_reverse_2_0 when slice1cost_difference_6_0 < 0 else
-        positive_part(slice1cost_difference_6_0);
-      slice1cost_pair_2_1_choice := slice1cost_reverse_2_1 when slice1cost_difference_6_1 < 0 else
-        positive_part(slice1cost_difference_6_1);
-      slice1cost_pair_2_2_choice := slice1cost_reverse_2_2 when slice1cost_difference_6_2 < 0 else
-        positive_part(slice1cost_difference_6_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -737,45 +686,45 @@ begin
       slice1cost_difference_6_0 <= slice1shift_search_6_0 - slice1shift_reference_6;
       slice1cost_difference_6_1 <= slice1shift_search_6_1 - slice1shift_reference_6;
       slice1cost_difference_6_2 <= slice1shift_search_6_2 - slice1shift_reference_6;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_1_0 <= (slice1shift_reference_4 - slice1shift_search_4_0) mod 256;
-      slice1cost_reverse_1_1 <= (slice1shift_reference_4 - slice1shift_search_4_1) mod 256;
-      slice1cost_reverse_1_2 <= (slice1shift_reference_4 - slice1shift_search_4_2) mod 256;
-      slice1cost_reverse_2_0 <= (slice1shift_reference_6 - slice1shift_search_6_0) mod 256;
-      slice1cost_reverse_2_1 <= (slice1shift_reference_6 - slice1shift_search_6_1) mod 256;
-      slice1cost_reverse_2_2 <= (slice1shift_reference_6 - slice1shift_search_6_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_1_0 <= slice1cost_pair_1_0_choice + folded(slice1cost_difference_3_0) +
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + folded(slice1cost_difference_3_0) +
         as_number((slice1cost_difference_3_0 < 0));
-      slice1cost_pair_1_1 <= slice1cost_pair_1_1_choice + folded(slice1cost_difference_3_1) +
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + folded(slice1cost_difference_3_1) +
         as_number((slice1cost_difference_3_1 < 0));
-      slice1cost_pair_1_2 <= slice1cost_pair_1_2_choice + folded(slice1cost_difference_3_2) +
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + folded(slice1cost_difference_3_2) +
         as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_pair_2_0 <= slice1cost_pair_2_0_choice + folded(slice1cost_difference_5_0) +
+      slice1cost_pair_2_0 <= folded(slice1cost_difference_6_0) + folded(slice1cost_difference_5_0) +
         as_number((slice1cost_difference_5_0 < 0));
-      slice1cost_pair_2_1 <= slice1cost_pair_2_1_choice + folded(slice1cost_difference_5_1) +
+      slice1cost_pair_2_1 <= folded(slice1cost_difference_6_1) + folded(slice1cost_difference_5_1) +
         as_number((slice1cost_difference_5_1 < 0));
-      slice1cost_pair_2_2 <= slice1cost_pair_2_2_choice + folded(slice1cost_difference_5_2) +
+      slice1cost_pair_2_2 <= folded(slice1cost_difference_6_2) + folded(slice1cost_difference_5_2) +
         as_number((slice1cost_difference_5_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_0 + slice1cost_pair_0_0 +
-        slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_0_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_1 + slice1cost_pair_0_1 +
-        slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_0_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_2_2 + slice1cost_pair_0_2 +
-        slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_0_2);
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_negative_2_0 <= slice1cost_difference_6_0 < 0;
+      slice1cost_negative_2_1 <= slice1cost_difference_6_1 < 0;
+      slice1cost_negative_2_2 <= slice1cost_difference_6_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 +
+        as_number(slice1cost_negative_0_0) + as_number(slice1cost_negative_1_0) + slice1cost_pair_2_0 +
+        as_number(slice1cost_negative_2_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 +
+        as_number(slice1cost_negative_0_1) + as_number(slice1cost_negative_1_1) + slice1cost_pair_2_1 +
+        as_number(slice1cost_negative_2_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 +
+        as_number(slice1cost_negative_0_2) + as_number(slice1cost_negative_1_2) + slice1cost_pair_2_2 +
+        as_number(slice1cost_negative_2_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -798,22 +747,24 @@ begin
         slice1window_partial_0_5_1 <= slice1cost_column_0_1 + slice1window_partial_0_4_1;
         slice1window_partial_0_5_2 <= slice1cost_column_0_2 + slice1window_partial_0_4_2;
       end if;
-      slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+      if slice0winner1_tag_valid then
+        slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
+      end if;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_5_0;
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_5_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_5_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_0_choice := slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
         slice1window_sum_0_0;
-      slice1winner1_best_cost_0_0_is_less_2 := slice1window_sum_0_2 < slice1winner1_best_cost_0_0_choice;
+      slice1winner1_best_cost_0_0_is_less_2 := (slice1window_sum_0_2 - slice1winner1_best_cost_0_0_choice) < 0;
       slice1winner1_best_cost_0_0 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_0_is_less_2 else
         slice1winner1_best_cost_0_0_choice;
       slice1winner1_best_index_0_0 <= 2 when slice1winner1_best_cost_0_0_is_less_2 else
         as_number(slice1winner1_best_cost_0_0_is_less);
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner1_best_cost_0_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
       slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
         (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
@@ -846,18 +797,6 @@ begin
       slice2shift_reference_5 <= slice1shift_reference_5;
       slice2shift_reference_6 <= slice1shift_reference_6;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
-      slice2cost_pair_1_0_choice := slice2cost_reverse_1_0 when slice2cost_difference_4_0 < 0 else
-        positive_part(slice2cost_difference_4_0);
-      slice2cost_pair_1_1_choice := slice2cost_reverse_1_1 when slice2cost_difference_4_1 < 0 else
-        positive_part(slice2cost_difference_4_1);
-      slice2cost_pair_2_0_choice := slice2cost_reverse_2_0 when slice2cost_difference_6_0 < 0 else
-        positive_part(slice2cost_difference_6_0);
-      slice2cost_pair_2_1_choice := slice2cost_reverse_2_1 when slice2cost_difference_6_1 < 0 else
-        positive_part(slice2cost_difference_6_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -872,32 +811,32 @@ begin
       slice2cost_difference_5_1 <= slice2shift_search_5_1 - slice2shift_reference_5;
       slice2cost_difference_6_0 <= slice2shift_search_6_0 - slice2shift_reference_6;
       slice2cost_difference_6_1 <= slice2shift_search_6_1 - slice2shift_reference_6;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_reverse_1_0 <= (slice2shift_reference_4 - slice2shift_search_4_0) mod 256;
-      slice2cost_reverse_1_1 <= (slice2shift_reference_4 - slice2shift_search_4_1) mod 256;
-      slice2cost_reverse_2_0 <= (slice2shift_reference_6 - slice2shift_search_6_0) mod 256;
-      slice2cost_reverse_2_1 <= (slice2shift_reference_6 - slice2shift_search_6_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_pair_1_0 <= slice2cost_pair_1_0_choice + folded(slice2cost_difference_3_0) +
-        as_number((slice2cost_difference_3_0 < 0));
-      slice2cost_pair_1_1 <= slice2cost_pair_1_1_choice + folded(slice2cost_difference_3_1) +
-        as_number((slice2cost_difference_3_1 < 0));
-      slice2cost_pair_2_0 <= slice2cost_pair_2_0_choice + folded(slice2cost_difference_5_0) +
-        as_number((slice2cost_difference_5_0 < 0));
-      slice2cost_pair_2_1 <= slice2cost_pair_2_1_choice + folded(slice2cost_difference_5_1) +
-        as_number((slice2cost_difference_5_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_2_0 + slice2cost_pair_0_0 +
-        slice2cost_single_0_0 + slice2cost_pair_1_0 + as_number(slice2cost_negative_0_0);
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_2_1 + slice2cost_pair_0_1 +
-        slice2cost_single_0_1 + slice2cost_pair_1_1 + as_number(slice2cost_negative_0_1);
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_pair_1_0 <= as_number((slice2cost_difference_3_0 < 0)) + folded(slice2cost_difference_3_0) +
+        folded(slice2cost_difference_4_0);
+      slice2cost_pair_1_1 <= as_number((slice2cost_difference_3_1 < 0)) + folded(slice2cost_difference_3_1) +
+        folded(slice2cost_difference_4_1);
+      slice2cost_pair_2_0 <= as_number((slice2cost_difference_5_0 < 0)) + folded(slice2cost_difference_5_0) +
+        folded(slice2cost_difference_6_0);
+      slice2cost_pair_2_1 <= as_number((slice2cost_difference_5_1 < 0)) + folded(slice2cost_difference_5_1) +
+        folded(slice2cost_difference_6_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_negative_1_0 <= slice2cost_difference_4_0 < 0;
+      slice2cost_negative_1_1 <= slice2cost_difference_4_1 < 0;
+      slice2cost_negative_2_0 <= slice2cost_difference_6_0 < 0;
+      slice2cost_negative_2_1 <= slice2cost_difference_6_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_0 +
+        as_number(slice2cost_negative_0_0) + as_number(slice2cost_negative_1_0) + slice2cost_pair_2_0 +
+        as_number(slice2cost_negative_2_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_1 +
+        as_number(slice2cost_negative_0_1) + as_number(slice2cost_negative_1_1) + slice2cost_pair_2_1 +
+        as_number(slice2cost_negative_2_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -912,30 +851,29 @@ begin
         slice2window_partial_0_4_1 <= slice2cost_column_0_1 + slice2window_partial_0_3_1;
         slice2window_partial_0_5_0 <= slice2cost_column_0_0 + slice2window_partial_0_4_0;
         slice2window_partial_0_5_1 <= slice2cost_column_0_1 + slice2window_partial_0_4_1;
-        slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
-        slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
+        slice2window_centre_output_column_1 <= slice1window_centre_output_column_1;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_5_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_5_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner1_best_cost_0_0 else
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner1_best_cost_0_0) < 0 else
         as_number(slice2winner1_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 15;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -975,6 +913,7 @@ begin
         slice0cost_tag_start_of_frame <= false;
         slice0cost_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
+        slice0window_centre_output_column_1 <= false;
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_start_of_frame_2 <= false;
@@ -989,13 +928,12 @@ begin
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
         slice0_best_tag_end_of_line <= false;
-        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_output_column_1 <= false;
         slice1window_centre_end_of_line_0 <= false;
         slice1_best_tag_valid <= false;
         slice1_best_tag_output_column <= false;
         slice1_best_tag_start_of_frame <= false;
         slice1_best_tag_end_of_line <= false;
-        slice2window_centre_output_column_0 <= false;
         slice2window_centre_output_column_1 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;

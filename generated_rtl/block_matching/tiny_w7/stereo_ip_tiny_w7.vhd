@@ -64,7 +64,7 @@ begin
       latency_clocks => 14,
       flush_groups => 98,
       gap_groups => 0,
-      core_id => x"566368a2",
+      core_id => x"415088da",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

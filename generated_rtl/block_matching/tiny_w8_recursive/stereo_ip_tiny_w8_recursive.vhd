@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 98,
       gap_groups => 96,
-      core_id => x"14ba89a6",
+      core_id => x"1dc68abd",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 98,
       gap_groups => 96)
     port map (

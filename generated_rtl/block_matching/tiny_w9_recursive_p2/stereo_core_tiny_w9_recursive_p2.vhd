@@ -17,7 +17,7 @@ entity stereo_core_tiny_w9_recursive_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 24;
-    latency_clocks : positive := 18;
+    latency_clocks : positive := 19;
     flush_groups : positive := 67;
     gap_groups : positive := 64
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_w9_recursive_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_w9_recursive_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 24 report "stereo_core_tiny_w9_recursive_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 24" severity failure;
-  assert latency_clocks = 18 report "stereo_core_tiny_w9_recursive_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 18" severity failure;
+  assert latency_clocks = 19 report "stereo_core_tiny_w9_recursive_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 67 report "stereo_core_tiny_w9_recursive_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 67" severity failure;
   assert gap_groups = 64 report "stereo_core_tiny_w9_recursive_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 64" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_w9_recursive_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_w9_recursive_p2 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -193,23 +191,27 @@ architecture rtl of stereo_core_tiny_w9_recursive_p2 is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_3 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_start_of_frame : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
   signal slice0window_change_1_0, slice0window_change_1_1, slice0window_change_1_2 : integer range -4095 to 4095;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 32767;
   signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 32767;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 2;
-  -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_1_0 : natural range 0 to 32767;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 2;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_1_0 : natural range 0 to 32767;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
   -- slice0
   signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 7;
@@ -257,12 +259,14 @@ architecture rtl of stereo_core_tiny_w9_recursive_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 32767;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 32767;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 32767;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 32767;
-  signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 32767;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_cost_0_0, slice1_best_cost_1_0 : natural range 0 to 32767;
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 7;
@@ -300,14 +304,17 @@ architecture rtl of stereo_core_tiny_w9_recursive_p2 is
   signal slice2window_sum_1_1 : natural range 0 to 32767;
   signal slice2window_centre_output_column_0, slice2window_centre_output_column_1 : boolean;
   signal slice2window_centre_output_column_2, slice2window_centre_start_of_frame_0 : boolean;
-  signal slice2window_centre_end_of_line_0, slice2window_centre_end_of_line_1 : boolean;
-  signal slice2window_centre_end_of_line_2 : boolean;
+  signal slice2window_centre_start_of_frame_1, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_centre_end_of_line_1, slice2window_centre_end_of_line_2 : boolean;
   -- slice2winner1
   signal slice2winner1_best_cost_0_0, slice2winner1_best_cost_1_0 : natural range 0 to 32767;
   signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
   -- slice2winner2
   signal slice2winner2_best_cost_0_0, slice2winner2_best_cost_1_0 : natural range 0 to 32767;
   signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0, slice2winner3_best_cost_1_0 : natural range 0 to 32767;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
   -- slice2
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
@@ -506,11 +513,11 @@ begin
 
   process (clock)
     variable raster_place_column_choice, delay_row_inside_0_value, delay_row_inside_0_value_2 : boolean;
-    variable delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_1_0_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_1_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_1_0_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
+    variable delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less, slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less : boolean;
     variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
     variable slice0cost_change_0_0_difference, slice0cost_change_0_1_difference : integer range -255 to 255;
     variable slice0cost_change_0_2_difference, slice1cost_change_0_0_difference : integer range -255 to 255;
@@ -581,7 +588,7 @@ begin
       delay_tag_leaves_window <= (((((raster_place_column / 16) + 4095) mod 4096) * 16) + (raster_place_column mod 16))
         < 65524;
       delay_tag_output_column <= ((((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) <
-        6) and (((raster_place_column + 65529) mod 65536) < 24);
+        6) and (raster_place_column >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 2);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -886,52 +893,64 @@ begin
         slice0window_sum_1_1 <= (slice0window_sum_1_1_choice + slice0window_change_1_1) mod 32768;
         slice0window_sum_1_2 <= (slice0window_sum_1_2_choice + slice0window_change_1_2) mod 32768;
       end if;
-      if slice0winner1_tag_valid then
-        slice0window_centre_start_of_frame_3 <= slice2window_centre_start_of_frame_0;
-        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_3;
+      if slice0winner1_pair_tag_valid then
+        slice0window_tag_start_of_frame <= slice2window_centre_start_of_frame_1;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      if slice0winner1_tag_valid then
-        slice0winner1_tag_output_column <= slice2window_centre_output_column_2;
-        slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-        slice0winner1_tag_end_of_line <= slice2window_centre_end_of_line_2;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 15)) or (to_unsigned(slice0winner1_of_pair_1_1, 15))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 15)))) or (to_unsigned(slice0winner1_of_four_0_0, 15))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 15)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 15)))) or (to_unsigned(slice0winner1_of_four_1_0, 15))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_2;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_2;
       end if;
-      -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
-      slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
-      slice0_best_tag_valid <= slice0winner2_tag_valid;
-      slice0_best_tag_output_column <= slice0winner2_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0 + 5;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0 + 5;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1100,36 +1119,45 @@ begin
         slice1window_sum_1_2 <= (slice1window_sum_1_2_choice + slice1window_change_1_2) mod 32768;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 15)) or (to_unsigned(slice1winner1_of_pair_1_1, 15))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 15)))) or (to_unsigned(slice1winner1_of_four_0_0, 15))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 15)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 15)))) or (to_unsigned(slice1winner1_of_four_1_0, 15))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1
-      slice1_best_cost_0_0_is_less := slice0_best_cost_0_0 < slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0_is_less := slice0_best_cost_1_0 < slice1winner2_best_cost_1_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
       slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -1245,7 +1273,7 @@ begin
       slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
       slice2window_sum_1_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_0;
       slice2window_sum_1_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_1;
-      if slice0winner1_tag_valid then
+      if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
         slice2window_sum_1_0 <= (slice2window_sum_1_0_choice + slice2window_change_1_0) mod 32768;
@@ -1254,13 +1282,14 @@ begin
         slice2window_centre_output_column_1 <= slice2window_centre_output_column_0;
         slice2window_centre_output_column_2 <= slice2window_centre_output_column_1;
         slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
+        slice2window_centre_start_of_frame_1 <= slice2window_centre_start_of_frame_0;
         slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
         slice2window_centre_end_of_line_2 <= slice2window_centre_end_of_line_1;
       end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_is_less := slice2window_sum_0_1 < slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0_is_less := slice2window_sum_1_1 < slice2window_sum_1_0;
+      slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
+      slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
         slice2window_sum_0_0;
       slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
@@ -1272,11 +1301,16 @@ begin
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice1_best_cost_0_0 < slice2winner2_best_cost_0_0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice1_best_cost_1_0 < slice2winner2_best_cost_1_0 else
-        as_number(slice2winner2_best_index_1_0);
+      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
+        as_number(slice2winner3_best_index_0_0);
+      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
+        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
@@ -1350,18 +1384,21 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
-        slice0window_centre_start_of_frame_3 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
-        slice0winner2_tag_valid <= false;
-        slice0winner2_tag_output_column <= false;
-        slice0winner2_tag_start_of_frame <= false;
-        slice0winner2_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -1389,6 +1426,7 @@ begin
         slice2window_centre_output_column_1 <= false;
         slice2window_centre_output_column_2 <= false;
         slice2window_centre_start_of_frame_0 <= false;
+        slice2window_centre_start_of_frame_1 <= false;
         slice2window_centre_end_of_line_0 <= false;
         slice2window_centre_end_of_line_1 <= false;
         slice2window_centre_end_of_line_2 <= false;

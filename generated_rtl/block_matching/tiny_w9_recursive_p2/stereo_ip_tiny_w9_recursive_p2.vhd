@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 67,
       gap_groups => 64,
-      core_id => x"b9d42614",
+      core_id => x"90f91f93",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 24,
-      latency_clocks => 18,
+      latency_clocks => 19,
       flush_groups => 67,
       gap_groups => 64)
     port map (

@@ -17,7 +17,7 @@ entity stereo_core_tiny_wide_range_p2 is
     pixels_per_clock : positive := 2;
     disparity_bits : positive := 8;
     output_width_px : positive := 4;
-    latency_clocks : positive := 17;
+    latency_clocks : positive := 19;
     flush_groups : positive := 32;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 2 report "stereo_core_tiny_wide_range_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_wide_range_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 4 report "stereo_core_tiny_wide_range_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 4" severity failure;
-  assert latency_clocks = 17 report "stereo_core_tiny_wide_range_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 17" severity failure;
+  assert latency_clocks = 19 report "stereo_core_tiny_wide_range_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 19" severity failure;
   assert flush_groups = 32 report "stereo_core_tiny_wide_range_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 32" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_wide_range_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_wide_range_p2 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -95,7 +93,7 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   -- raster
   signal raster_features_search_0, raster_features_search_1 : natural range 0 to 255;
   signal raster_features_reference : natural range 0 to 65535;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 31;
   signal raster_place_group : natural range 0 to 7;
   -- delay
@@ -195,31 +193,6 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice0cost_difference_3_18, slice0cost_difference_3_19, slice0cost_difference_3_20 : integer range -255 to 255;
   signal slice0cost_difference_3_21, slice0cost_difference_3_22, slice0cost_difference_3_23 : integer range -255 to 255;
   signal slice0cost_difference_3_24 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_reverse_0_5 : natural range 0 to 255;
-  signal slice0cost_reverse_0_6, slice0cost_reverse_0_7, slice0cost_reverse_0_8 : natural range 0 to 255;
-  signal slice0cost_reverse_0_9, slice0cost_reverse_0_10, slice0cost_reverse_0_11 : natural range 0 to 255;
-  signal slice0cost_reverse_0_12, slice0cost_reverse_0_13, slice0cost_reverse_0_14 : natural range 0 to 255;
-  signal slice0cost_reverse_0_15, slice0cost_reverse_0_16, slice0cost_reverse_0_17 : natural range 0 to 255;
-  signal slice0cost_reverse_0_18, slice0cost_reverse_0_19, slice0cost_reverse_0_20 : natural range 0 to 255;
-  signal slice0cost_reverse_0_21, slice0cost_reverse_0_22, slice0cost_reverse_0_23 : natural range 0 to 255;
-  signal slice0cost_reverse_0_24, slice0cost_single_0_0, slice0cost_single_0_1 : natural range 0 to 255;
-  signal slice0cost_single_0_2, slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
-  signal slice0cost_single_0_5, slice0cost_single_0_6, slice0cost_single_0_7 : natural range 0 to 255;
-  signal slice0cost_single_0_8, slice0cost_single_0_9, slice0cost_single_0_10 : natural range 0 to 255;
-  signal slice0cost_single_0_11, slice0cost_single_0_12, slice0cost_single_0_13 : natural range 0 to 255;
-  signal slice0cost_single_0_14, slice0cost_single_0_15, slice0cost_single_0_16 : natural range 0 to 255;
-  signal slice0cost_single_0_17, slice0cost_single_0_18, slice0cost_single_0_19 : natural range 0 to 255;
-  signal slice0cost_single_0_20, slice0cost_single_0_21, slice0cost_single_0_22 : natural range 0 to 255;
-  signal slice0cost_single_0_23, slice0cost_single_0_24, slice0cost_single_3_0 : natural range 0 to 255;
-  signal slice0cost_single_3_1, slice0cost_single_3_2, slice0cost_single_3_3 : natural range 0 to 255;
-  signal slice0cost_single_3_4, slice0cost_single_3_5, slice0cost_single_3_6 : natural range 0 to 255;
-  signal slice0cost_single_3_7, slice0cost_single_3_8, slice0cost_single_3_9 : natural range 0 to 255;
-  signal slice0cost_single_3_10, slice0cost_single_3_11, slice0cost_single_3_12 : natural range 0 to 255;
-  signal slice0cost_single_3_13, slice0cost_single_3_14, slice0cost_single_3_15 : natural range 0 to 255;
-  signal slice0cost_single_3_16, slice0cost_single_3_17, slice0cost_single_3_18 : natural range 0 to 255;
-  signal slice0cost_single_3_19, slice0cost_single_3_20, slice0cost_single_3_21 : natural range 0 to 255;
-  signal slice0cost_single_3_22, slice0cost_single_3_23, slice0cost_single_3_24 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
   signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
@@ -230,17 +203,10 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice0cost_negative_0_16, slice0cost_negative_0_17, slice0cost_negative_0_18 : boolean;
   signal slice0cost_negative_0_19, slice0cost_negative_0_20, slice0cost_negative_0_21 : boolean;
   signal slice0cost_negative_0_22, slice0cost_negative_0_23, slice0cost_negative_0_24 : boolean;
-  signal slice0cost_negative_3_0, slice0cost_negative_3_1, slice0cost_negative_3_2, slice0cost_negative_3_3 : boolean;
-  signal slice0cost_negative_3_4, slice0cost_negative_3_5, slice0cost_negative_3_6, slice0cost_negative_3_7 : boolean;
-  signal slice0cost_negative_3_8, slice0cost_negative_3_9, slice0cost_negative_3_10, slice0cost_negative_3_11 : boolean;
-  signal slice0cost_negative_3_12, slice0cost_negative_3_13, slice0cost_negative_3_14 : boolean;
-  signal slice0cost_negative_3_15, slice0cost_negative_3_16, slice0cost_negative_3_17 : boolean;
-  signal slice0cost_negative_3_18, slice0cost_negative_3_19, slice0cost_negative_3_20 : boolean;
-  signal slice0cost_negative_3_21, slice0cost_negative_3_22, slice0cost_negative_3_23 : boolean;
-  signal slice0cost_negative_3_24, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
-  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
-  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_border_column, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_0_4, slice0cost_pair_0_5, slice0cost_pair_0_6, slice0cost_pair_0_7 : natural range 0 to 511;
   signal slice0cost_pair_0_8, slice0cost_pair_0_9, slice0cost_pair_0_10, slice0cost_pair_0_11 : natural range 0 to 511;
@@ -249,6 +215,23 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice0cost_pair_0_18, slice0cost_pair_0_19, slice0cost_pair_0_20 : natural range 0 to 511;
   signal slice0cost_pair_0_21, slice0cost_pair_0_22, slice0cost_pair_0_23 : natural range 0 to 511;
   signal slice0cost_pair_0_24 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4, slice0cost_single_0_5 : natural range 0 to 255;
+  signal slice0cost_single_0_6, slice0cost_single_0_7, slice0cost_single_0_8 : natural range 0 to 255;
+  signal slice0cost_single_0_9, slice0cost_single_0_10, slice0cost_single_0_11 : natural range 0 to 255;
+  signal slice0cost_single_0_12, slice0cost_single_0_13, slice0cost_single_0_14 : natural range 0 to 255;
+  signal slice0cost_single_0_15, slice0cost_single_0_16, slice0cost_single_0_17 : natural range 0 to 255;
+  signal slice0cost_single_0_18, slice0cost_single_0_19, slice0cost_single_0_20 : natural range 0 to 255;
+  signal slice0cost_single_0_21, slice0cost_single_0_22, slice0cost_single_0_23 : natural range 0 to 255;
+  signal slice0cost_single_0_24, slice0cost_single_3_0, slice0cost_single_3_1 : natural range 0 to 255;
+  signal slice0cost_single_3_2, slice0cost_single_3_3, slice0cost_single_3_4 : natural range 0 to 255;
+  signal slice0cost_single_3_5, slice0cost_single_3_6, slice0cost_single_3_7 : natural range 0 to 255;
+  signal slice0cost_single_3_8, slice0cost_single_3_9, slice0cost_single_3_10 : natural range 0 to 255;
+  signal slice0cost_single_3_11, slice0cost_single_3_12, slice0cost_single_3_13 : natural range 0 to 255;
+  signal slice0cost_single_3_14, slice0cost_single_3_15, slice0cost_single_3_16 : natural range 0 to 255;
+  signal slice0cost_single_3_17, slice0cost_single_3_18, slice0cost_single_3_19 : natural range 0 to 255;
+  signal slice0cost_single_3_20, slice0cost_single_3_21, slice0cost_single_3_22 : natural range 0 to 255;
+  signal slice0cost_single_3_23, slice0cost_single_3_24 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 767;
   signal slice0cost_column_0_6, slice0cost_column_0_7, slice0cost_column_0_8 : natural range 0 to 767;
@@ -326,75 +309,110 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice0window_sum_1_20, slice0window_sum_1_21, slice0window_sum_1_22 : natural range 0 to 2301;
   signal slice0window_sum_1_23, slice0window_sum_1_24 : natural range 0 to 2301;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_8, slice0winner1_best_cost_0_9 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_10, slice0winner1_best_cost_0_11 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_0_12, slice0winner1_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_1, slice0winner1_best_cost_1_2 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_3, slice0winner1_best_cost_1_4 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_5, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_7, slice0winner1_best_cost_1_8 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_9, slice0winner1_best_cost_1_10 : natural range 0 to 2301;
-  signal slice0winner1_best_cost_1_11, slice0winner1_best_cost_1_12 : natural range 0 to 2301;
-  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0, slice0winner1_tag_valid : boolean;
-  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6, slice0winner1_best_index_1_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7, slice0winner1_best_index_1_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8, slice0winner1_best_index_1_8 : natural range 0 to 17;
-  signal slice0winner1_best_index_0_9, slice0winner1_best_index_1_9 : natural range 0 to 19;
-  signal slice0winner1_best_index_0_10, slice0winner1_best_index_1_10 : natural range 0 to 21;
-  signal slice0winner1_best_index_0_11, slice0winner1_best_index_1_11 : natural range 0 to 23;
-  signal slice0winner1_best_index_0_12 : natural range 0 to 24;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_pair_0_17 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_18, slice0winner1_of_pair_0_19, slice0winner1_of_pair_0_20 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_21, slice0winner1_of_pair_0_22, slice0winner1_of_pair_0_23 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_0_24, slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_2, slice0winner1_of_pair_1_3, slice0winner1_of_pair_1_4 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_5, slice0winner1_of_pair_1_6, slice0winner1_of_pair_1_7 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_8, slice0winner1_of_pair_1_9, slice0winner1_of_pair_1_10 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_11, slice0winner1_of_pair_1_12, slice0winner1_of_pair_1_13 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_14, slice0winner1_of_pair_1_15, slice0winner1_of_pair_1_16 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_17, slice0winner1_of_pair_1_18, slice0winner1_of_pair_1_19 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_20, slice0winner1_of_pair_1_21, slice0winner1_of_pair_1_22 : natural range 0 to 2301;
+  signal slice0winner1_of_pair_1_23, slice0winner1_of_pair_1_24, slice0winner1_of_four_0_0 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_7, slice0winner1_of_four_0_8, slice0winner1_of_four_0_9 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_10, slice0winner1_of_four_0_11, slice0winner1_of_four_0_12 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_13, slice0winner1_of_four_0_14, slice0winner1_of_four_0_15 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_16, slice0winner1_of_four_0_17, slice0winner1_of_four_0_18 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_19, slice0winner1_of_four_0_20, slice0winner1_of_four_0_21 : natural range 0 to 2301;
+  signal slice0winner1_of_four_0_22, slice0winner1_of_four_0_23, slice0winner1_of_four_0_24 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_3, slice0winner1_of_four_1_4, slice0winner1_of_four_1_5 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_6, slice0winner1_of_four_1_7, slice0winner1_of_four_1_8 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_9, slice0winner1_of_four_1_10, slice0winner1_of_four_1_11 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_12, slice0winner1_of_four_1_13, slice0winner1_of_four_1_14 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_15, slice0winner1_of_four_1_16, slice0winner1_of_four_1_17 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_18, slice0winner1_of_four_1_19, slice0winner1_of_four_1_20 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_21, slice0winner1_of_four_1_22, slice0winner1_of_four_1_23 : natural range 0 to 2301;
+  signal slice0winner1_of_four_1_24, slice0winner1_best_cost_0_6, slice0winner1_best_cost_1_6 : natural range 0 to 2301;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_output_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_start_of_frame : boolean;
+  signal slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_pair_index_1_1 : natural range 0 to 3;
+  signal slice0winner1_four_index_0_0, slice0winner1_four_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0, slice0winner1_best_index_1_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2, slice0winner1_pair_index_1_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_pair_index_1_3 : natural range 0 to 7;
+  signal slice0winner1_four_index_0_1, slice0winner1_four_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1, slice0winner1_best_index_1_1 : natural range 0 to 7;
+  signal slice0winner1_pair_index_0_4, slice0winner1_pair_index_1_4 : natural range 0 to 9;
+  signal slice0winner1_pair_index_0_5, slice0winner1_pair_index_1_5 : natural range 0 to 11;
+  signal slice0winner1_four_index_0_2, slice0winner1_four_index_1_2 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_2, slice0winner1_best_index_1_2 : natural range 0 to 11;
+  signal slice0winner1_pair_index_0_6, slice0winner1_pair_index_1_6 : natural range 0 to 13;
+  signal slice0winner1_pair_index_0_7, slice0winner1_pair_index_1_7 : natural range 0 to 15;
+  signal slice0winner1_four_index_0_3, slice0winner1_four_index_1_3 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_3, slice0winner1_best_index_1_3 : natural range 0 to 15;
+  signal slice0winner1_pair_index_0_8, slice0winner1_pair_index_1_8 : natural range 0 to 17;
+  signal slice0winner1_pair_index_0_9, slice0winner1_pair_index_1_9 : natural range 0 to 19;
+  signal slice0winner1_four_index_0_4, slice0winner1_four_index_1_4 : natural range 0 to 19;
+  signal slice0winner1_best_index_0_4, slice0winner1_best_index_1_4 : natural range 0 to 19;
+  signal slice0winner1_pair_index_0_10, slice0winner1_pair_index_1_10 : natural range 0 to 21;
+  signal slice0winner1_pair_index_0_11, slice0winner1_pair_index_1_11 : natural range 0 to 23;
+  signal slice0winner1_four_index_0_5, slice0winner1_four_index_1_5 : natural range 0 to 23;
+  signal slice0winner1_best_index_0_5, slice0winner1_best_index_1_5 : natural range 0 to 23;
+  signal slice0winner1_pair_index_0_12, slice0winner1_four_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_index_0_6 : natural range 0 to 24;
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_0, slice0winner1_best_cost_1_1 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_2, slice0winner1_best_cost_1_3 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_1_4, slice0winner1_best_cost_1_5 : natural range 0 to 4095;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_4, slice0winner2_best_cost_0_5 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_0_6, slice0winner2_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_1, slice0winner2_best_cost_1_2 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_3, slice0winner2_best_cost_1_4 : natural range 0 to 2301;
-  signal slice0winner2_best_cost_1_5, slice0winner2_best_cost_1_6 : natural range 0 to 2301;
-  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1, slice0winner2_best_index_1_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2, slice0winner2_best_index_1_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3, slice0winner2_best_index_1_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4, slice0winner2_best_index_1_4 : natural range 0 to 19;
-  signal slice0winner2_best_index_0_5, slice0winner2_best_index_1_5 : natural range 0 to 23;
-  signal slice0winner2_best_index_0_6 : natural range 0 to 24;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_pair_0_5 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_1_0, slice0winner2_of_pair_1_1, slice0winner2_of_pair_1_2 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_1_3, slice0winner2_of_pair_1_4, slice0winner2_of_pair_1_5 : natural range 0 to 4095;
+  signal slice0winner2_of_four_0_0, slice0winner2_of_four_0_1, slice0winner2_of_four_0_2 : natural range 0 to 4095;
+  signal slice0winner2_of_four_0_3, slice0winner2_of_four_0_4, slice0winner2_of_four_0_5 : natural range 0 to 4095;
+  signal slice0winner2_of_four_1_0, slice0winner2_of_four_1_1, slice0winner2_of_four_1_2 : natural range 0 to 4095;
+  signal slice0winner2_of_four_1_3, slice0winner2_of_four_1_4, slice0winner2_of_four_1_5 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 4095;
+  signal slice0winner2_best_cost_1_0, slice0winner2_best_cost_1_1 : natural range 0 to 4095;
+  signal slice0winner2_of_pair_0_6, slice0winner2_of_pair_1_6, slice0winner2_of_four_0_6 : natural range 0 to 2301;
+  signal slice0winner2_of_four_1_6 : natural range 0 to 2301;
+  signal slice0winner2_pair_index_0_0, slice0winner2_pair_index_1_0 : natural range 0 to 7;
+  signal slice0winner2_pair_index_0_1, slice0winner2_pair_index_1_1 : natural range 0 to 15;
+  signal slice0winner2_four_index_0_0, slice0winner2_four_index_1_0 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_0, slice0winner2_best_index_1_0 : natural range 0 to 15;
+  signal slice0winner2_pair_index_0_2, slice0winner2_pair_index_1_2 : natural range 0 to 23;
+  signal slice0winner2_pair_index_0_3, slice0winner2_four_index_0_1 : natural range 0 to 24;
+  signal slice0winner2_four_index_1_1, slice0winner2_best_index_0_1 : natural range 0 to 24;
+  signal slice0winner2_best_index_1_1 : natural range 0 to 24;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_0_2, slice0winner3_best_cost_0_3 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_1_0, slice0winner3_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner3_best_cost_1_2, slice0winner3_best_cost_1_3 : natural range 0 to 2301;
-  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1, slice0winner3_best_index_1_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2, slice0winner3_best_index_1_2 : natural range 0 to 23;
-  signal slice0winner3_best_index_0_3 : natural range 0 to 24;
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_1_0 : natural range 0 to 4095;
+  signal slice0winner3_best_index_0_0, slice0winner3_best_index_1_0 : natural range 0 to 24;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
-  -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 2301;
-  signal slice0winner4_best_cost_1_0, slice0winner4_best_cost_1_1 : natural range 0 to 2301;
-  signal slice0winner4_best_index_0_0, slice0winner4_best_index_1_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1, slice0winner4_best_index_1_1 : natural range 0 to 24;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
-  -- slice0winner5
-  signal slice0winner5_best_cost_0_0, slice0winner5_best_cost_1_0 : natural range 0 to 2301;
-  signal slice0winner5_best_index_0_0, slice0winner5_best_index_1_0 : natural range 0 to 24;
-  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
-  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
-  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 2301;
+  signal slice0_best_cost_0_0, slice0_best_cost_1_0 : natural range 0 to 4095;
   signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 27;
   signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
   signal slice0_best_tag_end_of_line : boolean;
@@ -410,12 +428,10 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
   signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
   signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2 : boolean;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
-  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2 : natural range 0 to 511;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_3_0 : boolean;
-  signal slice1cost_negative_3_1, slice1cost_negative_3_2 : boolean;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 767;
   -- slice1window
@@ -426,21 +442,26 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 2301;
   signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 2301;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 2301;
-  signal slice1winner1_best_cost_1_0, slice1winner1_best_cost_1_1 : natural range 0 to 2301;
-  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 2;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 2301;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 2301;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_four_index_1_0, slice1winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_1_0 : natural range 0 to 4095;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_1_0 : natural range 0 to 4095;
   signal slice1winner2_best_index_0_0, slice1winner2_best_index_1_0 : natural range 0 to 2;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_1_0 : natural range 0 to 4095;
   signal slice1winner3_best_index_0_0, slice1winner3_best_index_1_0 : natural range 0 to 2;
   -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_1_0 : natural range 0 to 4095;
   signal slice1winner4_best_index_0_0, slice1winner4_best_index_1_0 : natural range 0 to 2;
   -- slice1winner5
-  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 2301;
+  signal slice1winner5_best_cost_0_0, slice1winner5_best_cost_1_0 : natural range 0 to 4095;
   signal slice1winner5_best_index_0_0, slice1winner5_best_index_1_0 : natural range 0 to 2;
   -- slice1
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 27;
@@ -486,79 +507,64 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice : boolean;
-    variable raster_features_start_of_frame_choice_2, delay_row_inside_0_value, delay_row_inside_0_any : boolean;
-    variable delay_row_inside_1_any, slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
-    variable slice0winner1_best_cost_0_2_is_less, slice0winner1_best_cost_0_3_is_less : boolean;
-    variable slice0winner1_best_cost_0_4_is_less, slice0winner1_best_cost_0_5_is_less : boolean;
-    variable slice0winner1_best_cost_0_6_is_less, slice0winner1_best_cost_0_7_is_less : boolean;
-    variable slice0winner1_best_cost_0_8_is_less, slice0winner1_best_cost_0_9_is_less : boolean;
-    variable slice0winner1_best_cost_0_10_is_less, slice0winner1_best_cost_0_11_is_less : boolean;
-    variable slice0winner1_best_cost_1_0_is_less, slice0winner1_best_cost_1_1_is_less : boolean;
-    variable slice0winner1_best_cost_1_2_is_less, slice0winner1_best_cost_1_3_is_less : boolean;
-    variable slice0winner1_best_cost_1_4_is_less, slice0winner1_best_cost_1_5_is_less : boolean;
-    variable slice0winner1_best_cost_1_6_is_less, slice0winner1_best_cost_1_7_is_less : boolean;
-    variable slice0winner1_best_cost_1_8_is_less, slice0winner1_best_cost_1_9_is_less : boolean;
-    variable slice0winner1_best_cost_1_10_is_less, slice0winner1_best_cost_1_11_is_less : boolean;
-    variable slice0winner2_best_cost_0_0_is_less, slice0winner2_best_cost_0_1_is_less : boolean;
-    variable slice0winner2_best_cost_0_2_is_less, slice0winner2_best_cost_0_3_is_less : boolean;
-    variable slice0winner2_best_cost_0_4_is_less, slice0winner2_best_cost_0_5_is_less : boolean;
-    variable slice0winner2_best_cost_1_0_is_less, slice0winner2_best_cost_1_1_is_less : boolean;
-    variable slice0winner2_best_cost_1_2_is_less, slice0winner2_best_cost_1_3_is_less : boolean;
-    variable slice0winner2_best_cost_1_4_is_less, slice0winner2_best_cost_1_5_is_less : boolean;
-    variable slice0winner3_best_cost_0_0_is_less, slice0winner3_best_cost_0_1_is_less : boolean;
-    variable slice0winner3_best_cost_0_2_is_less, slice0winner3_best_cost_1_0_is_less : boolean;
-    variable slice0winner3_best_cost_1_1_is_less, slice0winner3_best_cost_1_2_is_less : boolean;
-    variable slice0winner4_best_cost_0_0_is_less, slice0winner4_best_cost_0_1_is_less : boolean;
-    variable slice0winner4_best_cost_1_0_is_less, slice0winner4_best_cost_1_1_is_less : boolean;
-    variable slice0winner5_best_cost_0_0_is_less, slice0winner5_best_cost_1_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_0_is_less, slice1winner1_best_cost_1_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_0_is_less, slice1winner2_best_cost_1_0_is_less : boolean;
+    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2, delay_row_inside_0_value : boolean;
+    variable delay_row_inside_0_any, delay_row_inside_1_any, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
+    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
+    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_pair_0_16_is_less : boolean;
+    variable slice0winner1_of_pair_0_18_is_less, slice0winner1_of_pair_0_20_is_less : boolean;
+    variable slice0winner1_of_pair_0_22_is_less, slice0winner1_of_pair_1_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_2_is_less, slice0winner1_of_pair_1_4_is_less : boolean;
+    variable slice0winner1_of_pair_1_6_is_less, slice0winner1_of_pair_1_8_is_less : boolean;
+    variable slice0winner1_of_pair_1_10_is_less, slice0winner1_of_pair_1_12_is_less : boolean;
+    variable slice0winner1_of_pair_1_14_is_less, slice0winner1_of_pair_1_16_is_less : boolean;
+    variable slice0winner1_of_pair_1_18_is_less, slice0winner1_of_pair_1_20_is_less : boolean;
+    variable slice0winner1_of_pair_1_22_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
+    variable slice0winner1_of_four_0_12_is_less, slice0winner1_of_four_0_16_is_less : boolean;
+    variable slice0winner1_of_four_0_20_is_less, slice0winner1_of_four_1_0_is_less : boolean;
+    variable slice0winner1_of_four_1_4_is_less, slice0winner1_of_four_1_8_is_less : boolean;
+    variable slice0winner1_of_four_1_12_is_less, slice0winner1_of_four_1_16_is_less : boolean;
+    variable slice0winner1_of_four_1_20_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
+    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_pair_0_4_is_less : boolean;
+    variable slice0winner2_of_pair_1_0_is_less, slice0winner2_of_pair_1_2_is_less : boolean;
+    variable slice0winner2_of_pair_1_4_is_less, slice0winner2_of_four_0_0_is_less : boolean;
+    variable slice0winner2_of_four_0_4_is_less, slice0winner2_of_four_1_0_is_less : boolean;
+    variable slice0winner2_of_four_1_4_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_1_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_1_0_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_1_0_is_less : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
-    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice0cost_pair_0_5_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_6_choice, slice0cost_pair_0_7_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_8_choice, slice0cost_pair_0_9_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_10_choice, slice0cost_pair_0_11_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_12_choice, slice0cost_pair_0_13_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_14_choice, slice0cost_pair_0_15_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_16_choice, slice0cost_pair_0_17_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_18_choice, slice0cost_pair_0_19_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_20_choice, slice0cost_pair_0_21_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_22_choice, slice0cost_pair_0_23_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_24_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
+    variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 7;
   begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
-      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_is_equal_2 := raster_place_group = 5;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 6) else
+      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
         (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
+        raster_place_group_is_equal and in_valid else raster_place_group;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when raster_place_group_is_equal
-        else raster_features_start_of_frame;
+      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
+        raster_place_group_choice_3;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        (raster_place_group / 2) = 3 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all when in_start_of_frame else
-          raster_features_start_of_frame_choice_2;
         raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
           mod 32;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
       if raster_features_valid then
@@ -575,11 +581,10 @@ begin
       delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (not ((raster_place_column / 16) = 1)) or (not (((raster_place_column / 8) mod 2) =
-        1)) when (raster_place_column mod 4) = 3 else (not ((raster_place_column / 16) = 1)) or (not
-        (((raster_place_column / 8) mod 2) = 1)) or (not (((raster_place_column / 4) mod 2) = 1));
-      delay_tag_output_column <= (((raster_place_group + 65535) mod 65536) < 6) and (((raster_place_column + 65509) mod
-        65536) < 4);
+      delay_tag_border_column <= (not (((raster_place_column / 16) = 1) and ((((raster_place_column / 4) mod 2) = 1) or
+        ((raster_place_column mod 4) = 3)))) or (not (((raster_place_column / 8) mod 2) = 1));
+      delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 27)
+        and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 27) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
       -- rows
@@ -748,56 +753,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
-      slice0cost_pair_0_5_choice := slice0cost_reverse_0_5 when slice0cost_difference_2_5 < 0 else
-        positive_part(slice0cost_difference_2_5);
-      slice0cost_pair_0_6_choice := slice0cost_reverse_0_6 when slice0cost_difference_2_6 < 0 else
-        positive_part(slice0cost_difference_2_6);
-      slice0cost_pair_0_7_choice := slice0cost_reverse_0_7 when slice0cost_difference_2_7 < 0 else
-        positive_part(slice0cost_difference_2_7);
-      slice0cost_pair_0_8_choice := slice0cost_reverse_0_8 when slice0cost_difference_2_8 < 0 else
-        positive_part(slice0cost_difference_2_8);
-      slice0cost_pair_0_9_choice := slice0cost_reverse_0_9 when slice0cost_difference_2_9 < 0 else
-        positive_part(slice0cost_difference_2_9);
-      slice0cost_pair_0_10_choice := slice0cost_reverse_0_10 when slice0cost_difference_2_10 < 0 else
-        positive_part(slice0cost_difference_2_10);
-      slice0cost_pair_0_11_choice := slice0cost_reverse_0_11 when slice0cost_difference_2_11 < 0 else
-        positive_part(slice0cost_difference_2_11);
-      slice0cost_pair_0_12_choice := slice0cost_reverse_0_12 when slice0cost_difference_2_12 < 0 else
-        positive_part(slice0cost_difference_2_12);
-      slice0cost_pair_0_13_choice := slice0cost_reverse_0_13 when slice0cost_difference_2_13 < 0 else
-        positive_part(slice0cost_difference_2_13);
-      slice0cost_pair_0_14_choice := slice0cost_reverse_0_14 when slice0cost_difference_2_14 < 0 else
-        positive_part(slice0cost_difference_2_14);
-      slice0cost_pair_0_15_choice := slice0cost_reverse_0_15 when slice0cost_difference_2_15 < 0 else
-        positive_part(slice0cost_difference_2_15);
-      slice0cost_pair_0_16_choice := slice0cost_reverse_0_16 when slice0cost_difference_2_16 < 0 else
-        positive_part(slice0cost_difference_2_16);
-      slice0cost_pair_0_17_choice := slice0cost_reverse_0_17 when slice0cost_difference_2_17 < 0 else
-        positive_part(slice0cost_difference_2_17);
-      slice0cost_pair_0_18_choice := slice0cost_reverse_0_18 when slice0cost_difference_2_18 < 0 else
-        positive_part(slice0cost_difference_2_18);
-      slice0cost_pair_0_19_choice := slice0cost_reverse_0_19 when slice0cost_difference_2_19 < 0 else
-        positive_part(slice0cost_difference_2_19);
-      slice0cost_pair_0_20_choice := slice0cost_reverse_0_20 when slice0cost_difference_2_20 < 0 else
-        positive_part(slice0cost_difference_2_20);
-      slice0cost_pair_0_21_choice := slice0cost_reverse_0_21 when slice0cost_difference_2_21 < 0 else
-        positive_part(slice0cost_difference_2_21);
-      slice0cost_pair_0_22_choice := slice0cost_reverse_0_22 when slice0cost_difference_2_22 < 0 else
-        positive_part(slice0cost_difference_2_22);
-      slice0cost_pair_0_23_choice := slice0cost_reverse_0_23 when slice0cost_difference_2_23 < 0 else
-        positive_part(slice0cost_difference_2_23);
-      slice0cost_pair_0_24_choice := slice0cost_reverse_0_24 when slice0cost_difference_2_24 < 0 else
-        positive_part(slice0cost_difference_2_24);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -898,291 +853,271 @@ begin
       slice0cost_difference_3_22 <= slice0shift_search_3_22 - slice0shift_reference_3;
       slice0cost_difference_3_23 <= slice0shift_search_3_23 - slice0shift_reference_3;
       slice0cost_difference_3_24 <= slice0shift_search_3_24 - slice0shift_reference_3;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
-      slice0cost_reverse_0_5 <= (slice0shift_reference_2 - slice0shift_search_2_5) mod 256;
-      slice0cost_reverse_0_6 <= (slice0shift_reference_2 - slice0shift_search_2_6) mod 256;
-      slice0cost_reverse_0_7 <= (slice0shift_reference_2 - slice0shift_search_2_7) mod 256;
-      slice0cost_reverse_0_8 <= (slice0shift_reference_2 - slice0shift_search_2_8) mod 256;
-      slice0cost_reverse_0_9 <= (slice0shift_reference_2 - slice0shift_search_2_9) mod 256;
-      slice0cost_reverse_0_10 <= (slice0shift_reference_2 - slice0shift_search_2_10) mod 256;
-      slice0cost_reverse_0_11 <= (slice0shift_reference_2 - slice0shift_search_2_11) mod 256;
-      slice0cost_reverse_0_12 <= (slice0shift_reference_2 - slice0shift_search_2_12) mod 256;
-      slice0cost_reverse_0_13 <= (slice0shift_reference_2 - slice0shift_search_2_13) mod 256;
-      slice0cost_reverse_0_14 <= (slice0shift_reference_2 - slice0shift_search_2_14) mod 256;
-      slice0cost_reverse_0_15 <= (slice0shift_reference_2 - slice0shift_search_2_15) mod 256;
-      slice0cost_reverse_0_16 <= (slice0shift_reference_2 - slice0shift_search_2_16) mod 256;
-      slice0cost_reverse_0_17 <= (slice0shift_reference_2 - slice0shift_search_2_17) mod 256;
-      slice0cost_reverse_0_18 <= (slice0shift_reference_2 - slice0shift_search_2_18) mod 256;
-      slice0cost_reverse_0_19 <= (slice0shift_reference_2 - slice0shift_search_2_19) mod 256;
-      slice0cost_reverse_0_20 <= (slice0shift_reference_2 - slice0shift_search_2_20) mod 256;
-      slice0cost_reverse_0_21 <= (slice0shift_reference_2 - slice0shift_search_2_21) mod 256;
-      slice0cost_reverse_0_22 <= (slice0shift_reference_2 - slice0shift_search_2_22) mod 256;
-      slice0cost_reverse_0_23 <= (slice0shift_reference_2 - slice0shift_search_2_23) mod 256;
-      slice0cost_reverse_0_24 <= (slice0shift_reference_2 - slice0shift_search_2_24) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_pair_0_5 <= slice0cost_pair_0_5_choice + folded(slice0cost_difference_1_5) +
+      slice0cost_pair_0_5 <= folded(slice0cost_difference_2_5) + folded(slice0cost_difference_1_5) +
         as_number((slice0cost_difference_1_5 < 0));
-      slice0cost_pair_0_6 <= slice0cost_pair_0_6_choice + folded(slice0cost_difference_1_6) +
+      slice0cost_pair_0_6 <= folded(slice0cost_difference_2_6) + folded(slice0cost_difference_1_6) +
         as_number((slice0cost_difference_1_6 < 0));
-      slice0cost_pair_0_7 <= slice0cost_pair_0_7_choice + folded(slice0cost_difference_1_7) +
+      slice0cost_pair_0_7 <= folded(slice0cost_difference_2_7) + folded(slice0cost_difference_1_7) +
         as_number((slice0cost_difference_1_7 < 0));
-      slice0cost_pair_0_8 <= slice0cost_pair_0_8_choice + folded(slice0cost_difference_1_8) +
+      slice0cost_pair_0_8 <= folded(slice0cost_difference_2_8) + folded(slice0cost_difference_1_8) +
         as_number((slice0cost_difference_1_8 < 0));
-      slice0cost_pair_0_9 <= slice0cost_pair_0_9_choice + folded(slice0cost_difference_1_9) +
+      slice0cost_pair_0_9 <= folded(slice0cost_difference_2_9) + folded(slice0cost_difference_1_9) +
         as_number((slice0cost_difference_1_9 < 0));
-      slice0cost_pair_0_10 <= slice0cost_pair_0_10_choice + folded(slice0cost_difference_1_10) +
+      slice0cost_pair_0_10 <= folded(slice0cost_difference_2_10) + folded(slice0cost_difference_1_10) +
         as_number((slice0cost_difference_1_10 < 0));
-      slice0cost_pair_0_11 <= slice0cost_pair_0_11_choice + folded(slice0cost_difference_1_11) +
+      slice0cost_pair_0_11 <= folded(slice0cost_difference_2_11) + folded(slice0cost_difference_1_11) +
         as_number((slice0cost_difference_1_11 < 0));
-      slice0cost_pair_0_12 <= slice0cost_pair_0_12_choice + folded(slice0cost_difference_1_12) +
+      slice0cost_pair_0_12 <= folded(slice0cost_difference_2_12) + folded(slice0cost_difference_1_12) +
         as_number((slice0cost_difference_1_12 < 0));
-      slice0cost_pair_0_13 <= slice0cost_pair_0_13_choice + folded(slice0cost_difference_1_13) +
+      slice0cost_pair_0_13 <= folded(slice0cost_difference_2_13) + folded(slice0cost_difference_1_13) +
         as_number((slice0cost_difference_1_13 < 0));
-      slice0cost_pair_0_14 <= slice0cost_pair_0_14_choice + folded(slice0cost_difference_1_14) +
+      slice0cost_pair_0_14 <= folded(slice0cost_difference_2_14) + folded(slice0cost_difference_1_14) +
         as_number((slice0cost_difference_1_14 < 0));
-      slice0cost_pair_0_15 <= slice0cost_pair_0_15_choice + folded(slice0cost_difference_1_15) +
+      slice0cost_pair_0_15 <= folded(slice0cost_difference_2_15) + folded(slice0cost_difference_1_15) +
         as_number((slice0cost_difference_1_15 < 0));
-      slice0cost_pair_0_16 <= slice0cost_pair_0_16_choice + folded(slice0cost_difference_1_16) +
+      slice0cost_pair_0_16 <= folded(slice0cost_difference_2_16) + folded(slice0cost_difference_1_16) +
         as_number((slice0cost_difference_1_16 < 0));
-      slice0cost_pair_0_17 <= slice0cost_pair_0_17_choice + folded(slice0cost_difference_1_17) +
+      slice0cost_pair_0_17 <= folded(slice0cost_difference_2_17) + folded(slice0cost_difference_1_17) +
         as_number((slice0cost_difference_1_17 < 0));
-      slice0cost_pair_0_18 <= slice0cost_pair_0_18_choice + folded(slice0cost_difference_1_18) +
+      slice0cost_pair_0_18 <= folded(slice0cost_difference_2_18) + folded(slice0cost_difference_1_18) +
         as_number((slice0cost_difference_1_18 < 0));
-      slice0cost_pair_0_19 <= slice0cost_pair_0_19_choice + folded(slice0cost_difference_1_19) +
+      slice0cost_pair_0_19 <= folded(slice0cost_difference_2_19) + folded(slice0cost_difference_1_19) +
         as_number((slice0cost_difference_1_19 < 0));
-      slice0cost_pair_0_20 <= slice0cost_pair_0_20_choice + folded(slice0cost_difference_1_20) +
+      slice0cost_pair_0_20 <= folded(slice0cost_difference_2_20) + folded(slice0cost_difference_1_20) +
         as_number((slice0cost_difference_1_20 < 0));
-      slice0cost_pair_0_21 <= slice0cost_pair_0_21_choice + folded(slice0cost_difference_1_21) +
+      slice0cost_pair_0_21 <= folded(slice0cost_difference_2_21) + folded(slice0cost_difference_1_21) +
         as_number((slice0cost_difference_1_21 < 0));
-      slice0cost_pair_0_22 <= slice0cost_pair_0_22_choice + folded(slice0cost_difference_1_22) +
+      slice0cost_pair_0_22 <= folded(slice0cost_difference_2_22) + folded(slice0cost_difference_1_22) +
         as_number((slice0cost_difference_1_22 < 0));
-      slice0cost_pair_0_23 <= slice0cost_pair_0_23_choice + folded(slice0cost_difference_1_23) +
+      slice0cost_pair_0_23 <= folded(slice0cost_difference_2_23) + folded(slice0cost_difference_1_23) +
         as_number((slice0cost_difference_1_23 < 0));
-      slice0cost_pair_0_24 <= slice0cost_pair_0_24_choice + folded(slice0cost_difference_1_24) +
+      slice0cost_pair_0_24 <= folded(slice0cost_difference_2_24) + folded(slice0cost_difference_1_24) +
         as_number((slice0cost_difference_1_24 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_single_0_5 <= folded(slice0cost_difference_0_5);
-      slice0cost_single_0_6 <= folded(slice0cost_difference_0_6);
-      slice0cost_single_0_7 <= folded(slice0cost_difference_0_7);
-      slice0cost_single_0_8 <= folded(slice0cost_difference_0_8);
-      slice0cost_single_0_9 <= folded(slice0cost_difference_0_9);
-      slice0cost_single_0_10 <= folded(slice0cost_difference_0_10);
-      slice0cost_single_0_11 <= folded(slice0cost_difference_0_11);
-      slice0cost_single_0_12 <= folded(slice0cost_difference_0_12);
-      slice0cost_single_0_13 <= folded(slice0cost_difference_0_13);
-      slice0cost_single_0_14 <= folded(slice0cost_difference_0_14);
-      slice0cost_single_0_15 <= folded(slice0cost_difference_0_15);
-      slice0cost_single_0_16 <= folded(slice0cost_difference_0_16);
-      slice0cost_single_0_17 <= folded(slice0cost_difference_0_17);
-      slice0cost_single_0_18 <= folded(slice0cost_difference_0_18);
-      slice0cost_single_0_19 <= folded(slice0cost_difference_0_19);
-      slice0cost_single_0_20 <= folded(slice0cost_difference_0_20);
-      slice0cost_single_0_21 <= folded(slice0cost_difference_0_21);
-      slice0cost_single_0_22 <= folded(slice0cost_difference_0_22);
-      slice0cost_single_0_23 <= folded(slice0cost_difference_0_23);
-      slice0cost_single_0_24 <= folded(slice0cost_difference_0_24);
-      slice0cost_single_3_0 <= folded(slice0cost_difference_3_0);
-      slice0cost_single_3_1 <= folded(slice0cost_difference_3_1);
-      slice0cost_single_3_2 <= folded(slice0cost_difference_3_2);
-      slice0cost_single_3_3 <= folded(slice0cost_difference_3_3);
-      slice0cost_single_3_4 <= folded(slice0cost_difference_3_4);
-      slice0cost_single_3_5 <= folded(slice0cost_difference_3_5);
-      slice0cost_single_3_6 <= folded(slice0cost_difference_3_6);
-      slice0cost_single_3_7 <= folded(slice0cost_difference_3_7);
-      slice0cost_single_3_8 <= folded(slice0cost_difference_3_8);
-      slice0cost_single_3_9 <= folded(slice0cost_difference_3_9);
-      slice0cost_single_3_10 <= folded(slice0cost_difference_3_10);
-      slice0cost_single_3_11 <= folded(slice0cost_difference_3_11);
-      slice0cost_single_3_12 <= folded(slice0cost_difference_3_12);
-      slice0cost_single_3_13 <= folded(slice0cost_difference_3_13);
-      slice0cost_single_3_14 <= folded(slice0cost_difference_3_14);
-      slice0cost_single_3_15 <= folded(slice0cost_difference_3_15);
-      slice0cost_single_3_16 <= folded(slice0cost_difference_3_16);
-      slice0cost_single_3_17 <= folded(slice0cost_difference_3_17);
-      slice0cost_single_3_18 <= folded(slice0cost_difference_3_18);
-      slice0cost_single_3_19 <= folded(slice0cost_difference_3_19);
-      slice0cost_single_3_20 <= folded(slice0cost_difference_3_20);
-      slice0cost_single_3_21 <= folded(slice0cost_difference_3_21);
-      slice0cost_single_3_22 <= folded(slice0cost_difference_3_22);
-      slice0cost_single_3_23 <= folded(slice0cost_difference_3_23);
-      slice0cost_single_3_24 <= folded(slice0cost_difference_3_24);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
-      slice0cost_negative_0_5 <= slice0cost_difference_0_5 < 0;
-      slice0cost_negative_0_6 <= slice0cost_difference_0_6 < 0;
-      slice0cost_negative_0_7 <= slice0cost_difference_0_7 < 0;
-      slice0cost_negative_0_8 <= slice0cost_difference_0_8 < 0;
-      slice0cost_negative_0_9 <= slice0cost_difference_0_9 < 0;
-      slice0cost_negative_0_10 <= slice0cost_difference_0_10 < 0;
-      slice0cost_negative_0_11 <= slice0cost_difference_0_11 < 0;
-      slice0cost_negative_0_12 <= slice0cost_difference_0_12 < 0;
-      slice0cost_negative_0_13 <= slice0cost_difference_0_13 < 0;
-      slice0cost_negative_0_14 <= slice0cost_difference_0_14 < 0;
-      slice0cost_negative_0_15 <= slice0cost_difference_0_15 < 0;
-      slice0cost_negative_0_16 <= slice0cost_difference_0_16 < 0;
-      slice0cost_negative_0_17 <= slice0cost_difference_0_17 < 0;
-      slice0cost_negative_0_18 <= slice0cost_difference_0_18 < 0;
-      slice0cost_negative_0_19 <= slice0cost_difference_0_19 < 0;
-      slice0cost_negative_0_20 <= slice0cost_difference_0_20 < 0;
-      slice0cost_negative_0_21 <= slice0cost_difference_0_21 < 0;
-      slice0cost_negative_0_22 <= slice0cost_difference_0_22 < 0;
-      slice0cost_negative_0_23 <= slice0cost_difference_0_23 < 0;
-      slice0cost_negative_0_24 <= slice0cost_difference_0_24 < 0;
-      slice0cost_negative_3_0 <= slice0cost_difference_3_0 < 0;
-      slice0cost_negative_3_1 <= slice0cost_difference_3_1 < 0;
-      slice0cost_negative_3_2 <= slice0cost_difference_3_2 < 0;
-      slice0cost_negative_3_3 <= slice0cost_difference_3_3 < 0;
-      slice0cost_negative_3_4 <= slice0cost_difference_3_4 < 0;
-      slice0cost_negative_3_5 <= slice0cost_difference_3_5 < 0;
-      slice0cost_negative_3_6 <= slice0cost_difference_3_6 < 0;
-      slice0cost_negative_3_7 <= slice0cost_difference_3_7 < 0;
-      slice0cost_negative_3_8 <= slice0cost_difference_3_8 < 0;
-      slice0cost_negative_3_9 <= slice0cost_difference_3_9 < 0;
-      slice0cost_negative_3_10 <= slice0cost_difference_3_10 < 0;
-      slice0cost_negative_3_11 <= slice0cost_difference_3_11 < 0;
-      slice0cost_negative_3_12 <= slice0cost_difference_3_12 < 0;
-      slice0cost_negative_3_13 <= slice0cost_difference_3_13 < 0;
-      slice0cost_negative_3_14 <= slice0cost_difference_3_14 < 0;
-      slice0cost_negative_3_15 <= slice0cost_difference_3_15 < 0;
-      slice0cost_negative_3_16 <= slice0cost_difference_3_16 < 0;
-      slice0cost_negative_3_17 <= slice0cost_difference_3_17 < 0;
-      slice0cost_negative_3_18 <= slice0cost_difference_3_18 < 0;
-      slice0cost_negative_3_19 <= slice0cost_difference_3_19 < 0;
-      slice0cost_negative_3_20 <= slice0cost_difference_3_20 < 0;
-      slice0cost_negative_3_21 <= slice0cost_difference_3_21 < 0;
-      slice0cost_negative_3_22 <= slice0cost_difference_3_22 < 0;
-      slice0cost_negative_3_23 <= slice0cost_difference_3_23 < 0;
-      slice0cost_negative_3_24 <= slice0cost_difference_3_24 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_negative_0_5 <= slice0cost_difference_2_5 < 0;
+      slice0cost_negative_0_6 <= slice0cost_difference_2_6 < 0;
+      slice0cost_negative_0_7 <= slice0cost_difference_2_7 < 0;
+      slice0cost_negative_0_8 <= slice0cost_difference_2_8 < 0;
+      slice0cost_negative_0_9 <= slice0cost_difference_2_9 < 0;
+      slice0cost_negative_0_10 <= slice0cost_difference_2_10 < 0;
+      slice0cost_negative_0_11 <= slice0cost_difference_2_11 < 0;
+      slice0cost_negative_0_12 <= slice0cost_difference_2_12 < 0;
+      slice0cost_negative_0_13 <= slice0cost_difference_2_13 < 0;
+      slice0cost_negative_0_14 <= slice0cost_difference_2_14 < 0;
+      slice0cost_negative_0_15 <= slice0cost_difference_2_15 < 0;
+      slice0cost_negative_0_16 <= slice0cost_difference_2_16 < 0;
+      slice0cost_negative_0_17 <= slice0cost_difference_2_17 < 0;
+      slice0cost_negative_0_18 <= slice0cost_difference_2_18 < 0;
+      slice0cost_negative_0_19 <= slice0cost_difference_2_19 < 0;
+      slice0cost_negative_0_20 <= slice0cost_difference_2_20 < 0;
+      slice0cost_negative_0_21 <= slice0cost_difference_2_21 < 0;
+      slice0cost_negative_0_22 <= slice0cost_difference_2_22 < 0;
+      slice0cost_negative_0_23 <= slice0cost_difference_2_23 < 0;
+      slice0cost_negative_0_24 <= slice0cost_difference_2_24 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
+      slice0cost_single_0_5 <= (folded(slice0cost_difference_0_5) + as_number((slice0cost_difference_0_5 < 0))) mod 256;
+      slice0cost_single_0_6 <= (folded(slice0cost_difference_0_6) + as_number((slice0cost_difference_0_6 < 0))) mod 256;
+      slice0cost_single_0_7 <= (folded(slice0cost_difference_0_7) + as_number((slice0cost_difference_0_7 < 0))) mod 256;
+      slice0cost_single_0_8 <= (folded(slice0cost_difference_0_8) + as_number((slice0cost_difference_0_8 < 0))) mod 256;
+      slice0cost_single_0_9 <= (folded(slice0cost_difference_0_9) + as_number((slice0cost_difference_0_9 < 0))) mod 256;
+      slice0cost_single_0_10 <= (folded(slice0cost_difference_0_10) + as_number((slice0cost_difference_0_10 < 0))) mod
+        256;
+      slice0cost_single_0_11 <= (folded(slice0cost_difference_0_11) + as_number((slice0cost_difference_0_11 < 0))) mod
+        256;
+      slice0cost_single_0_12 <= (folded(slice0cost_difference_0_12) + as_number((slice0cost_difference_0_12 < 0))) mod
+        256;
+      slice0cost_single_0_13 <= (folded(slice0cost_difference_0_13) + as_number((slice0cost_difference_0_13 < 0))) mod
+        256;
+      slice0cost_single_0_14 <= (folded(slice0cost_difference_0_14) + as_number((slice0cost_difference_0_14 < 0))) mod
+        256;
+      slice0cost_single_0_15 <= (folded(slice0cost_difference_0_15) + as_number((slice0cost_difference_0_15 < 0))) mod
+        256;
+      slice0cost_single_0_16 <= (folded(slice0cost_difference_0_16) + as_number((slice0cost_difference_0_16 < 0))) mod
+        256;
+      slice0cost_single_0_17 <= (folded(slice0cost_difference_0_17) + as_number((slice0cost_difference_0_17 < 0))) mod
+        256;
+      slice0cost_single_0_18 <= (folded(slice0cost_difference_0_18) + as_number((slice0cost_difference_0_18 < 0))) mod
+        256;
+      slice0cost_single_0_19 <= (folded(slice0cost_difference_0_19) + as_number((slice0cost_difference_0_19 < 0))) mod
+        256;
+      slice0cost_single_0_20 <= (folded(slice0cost_difference_0_20) + as_number((slice0cost_difference_0_20 < 0))) mod
+        256;
+      slice0cost_single_0_21 <= (folded(slice0cost_difference_0_21) + as_number((slice0cost_difference_0_21 < 0))) mod
+        256;
+      slice0cost_single_0_22 <= (folded(slice0cost_difference_0_22) + as_number((slice0cost_difference_0_22 < 0))) mod
+        256;
+      slice0cost_single_0_23 <= (folded(slice0cost_difference_0_23) + as_number((slice0cost_difference_0_23 < 0))) mod
+        256;
+      slice0cost_single_0_24 <= (folded(slice0cost_difference_0_24) + as_number((slice0cost_difference_0_24 < 0))) mod
+        256;
+      slice0cost_single_3_0 <= (folded(slice0cost_difference_3_0) + as_number((slice0cost_difference_3_0 < 0))) mod 256;
+      slice0cost_single_3_1 <= (folded(slice0cost_difference_3_1) + as_number((slice0cost_difference_3_1 < 0))) mod 256;
+      slice0cost_single_3_2 <= (folded(slice0cost_difference_3_2) + as_number((slice0cost_difference_3_2 < 0))) mod 256;
+      slice0cost_single_3_3 <= (folded(slice0cost_difference_3_3) + as_number((slice0cost_difference_3_3 < 0))) mod 256;
+      slice0cost_single_3_4 <= (folded(slice0cost_difference_3_4) + as_number((slice0cost_difference_3_4 < 0))) mod 256;
+      slice0cost_single_3_5 <= (folded(slice0cost_difference_3_5) + as_number((slice0cost_difference_3_5 < 0))) mod 256;
+      slice0cost_single_3_6 <= (folded(slice0cost_difference_3_6) + as_number((slice0cost_difference_3_6 < 0))) mod 256;
+      slice0cost_single_3_7 <= (folded(slice0cost_difference_3_7) + as_number((slice0cost_difference_3_7 < 0))) mod 256;
+      slice0cost_single_3_8 <= (folded(slice0cost_difference_3_8) + as_number((slice0cost_difference_3_8 < 0))) mod 256;
+      slice0cost_single_3_9 <= (folded(slice0cost_difference_3_9) + as_number((slice0cost_difference_3_9 < 0))) mod 256;
+      slice0cost_single_3_10 <= (folded(slice0cost_difference_3_10) + as_number((slice0cost_difference_3_10 < 0))) mod
+        256;
+      slice0cost_single_3_11 <= (folded(slice0cost_difference_3_11) + as_number((slice0cost_difference_3_11 < 0))) mod
+        256;
+      slice0cost_single_3_12 <= (folded(slice0cost_difference_3_12) + as_number((slice0cost_difference_3_12 < 0))) mod
+        256;
+      slice0cost_single_3_13 <= (folded(slice0cost_difference_3_13) + as_number((slice0cost_difference_3_13 < 0))) mod
+        256;
+      slice0cost_single_3_14 <= (folded(slice0cost_difference_3_14) + as_number((slice0cost_difference_3_14 < 0))) mod
+        256;
+      slice0cost_single_3_15 <= (folded(slice0cost_difference_3_15) + as_number((slice0cost_difference_3_15 < 0))) mod
+        256;
+      slice0cost_single_3_16 <= (folded(slice0cost_difference_3_16) + as_number((slice0cost_difference_3_16 < 0))) mod
+        256;
+      slice0cost_single_3_17 <= (folded(slice0cost_difference_3_17) + as_number((slice0cost_difference_3_17 < 0))) mod
+        256;
+      slice0cost_single_3_18 <= (folded(slice0cost_difference_3_18) + as_number((slice0cost_difference_3_18 < 0))) mod
+        256;
+      slice0cost_single_3_19 <= (folded(slice0cost_difference_3_19) + as_number((slice0cost_difference_3_19 < 0))) mod
+        256;
+      slice0cost_single_3_20 <= (folded(slice0cost_difference_3_20) + as_number((slice0cost_difference_3_20 < 0))) mod
+        256;
+      slice0cost_single_3_21 <= (folded(slice0cost_difference_3_21) + as_number((slice0cost_difference_3_21 < 0))) mod
+        256;
+      slice0cost_single_3_22 <= (folded(slice0cost_difference_3_22) + as_number((slice0cost_difference_3_22 < 0))) mod
+        256;
+      slice0cost_single_3_23 <= (folded(slice0cost_difference_3_23) + as_number((slice0cost_difference_3_23 < 0))) mod
+        256;
+      slice0cost_single_3_24 <= (folded(slice0cost_difference_3_24) + as_number((slice0cost_difference_3_24 < 0))) mod
+        256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7;
-      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_8) +
-        slice0cost_pair_0_8 + slice0cost_single_0_8;
-      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_9) +
-        slice0cost_pair_0_9 + slice0cost_single_0_9;
-      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_10) +
-        slice0cost_pair_0_10 + slice0cost_single_0_10;
-      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_11) +
-        slice0cost_pair_0_11 + slice0cost_single_0_11;
-      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_12) +
-        slice0cost_pair_0_12 + slice0cost_single_0_12;
-      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_13) +
-        slice0cost_pair_0_13 + slice0cost_single_0_13;
-      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_14) +
-        slice0cost_pair_0_14 + slice0cost_single_0_14;
-      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_15) +
-        slice0cost_pair_0_15 + slice0cost_single_0_15;
-      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_16) +
-        slice0cost_pair_0_16 + slice0cost_single_0_16;
-      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_17) +
-        slice0cost_pair_0_17 + slice0cost_single_0_17;
-      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_18) +
-        slice0cost_pair_0_18 + slice0cost_single_0_18;
-      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_19) +
-        slice0cost_pair_0_19 + slice0cost_single_0_19;
-      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_20) +
-        slice0cost_pair_0_20 + slice0cost_single_0_20;
-      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_21) +
-        slice0cost_pair_0_21 + slice0cost_single_0_21;
-      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_22) +
-        slice0cost_pair_0_22 + slice0cost_single_0_22;
-      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_23) +
-        slice0cost_pair_0_23 + slice0cost_single_0_23;
-      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_24) +
-        slice0cost_pair_0_24 + slice0cost_single_0_24;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2;
-      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_3) +
-        slice0cost_pair_0_3 + slice0cost_single_3_3;
-      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_4) +
-        slice0cost_pair_0_4 + slice0cost_single_3_4;
-      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_5) +
-        slice0cost_pair_0_5 + slice0cost_single_3_5;
-      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_6) +
-        slice0cost_pair_0_6 + slice0cost_single_3_6;
-      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_7) +
-        slice0cost_pair_0_7 + slice0cost_single_3_7;
-      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_8) +
-        slice0cost_pair_0_8 + slice0cost_single_3_8;
-      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_9) +
-        slice0cost_pair_0_9 + slice0cost_single_3_9;
-      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_10) +
-        slice0cost_pair_0_10 + slice0cost_single_3_10;
-      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_11) +
-        slice0cost_pair_0_11 + slice0cost_single_3_11;
-      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_12) +
-        slice0cost_pair_0_12 + slice0cost_single_3_12;
-      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_13) +
-        slice0cost_pair_0_13 + slice0cost_single_3_13;
-      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_14) +
-        slice0cost_pair_0_14 + slice0cost_single_3_14;
-      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_15) +
-        slice0cost_pair_0_15 + slice0cost_single_3_15;
-      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_16) +
-        slice0cost_pair_0_16 + slice0cost_single_3_16;
-      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_17) +
-        slice0cost_pair_0_17 + slice0cost_single_3_17;
-      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_18) +
-        slice0cost_pair_0_18 + slice0cost_single_3_18;
-      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_19) +
-        slice0cost_pair_0_19 + slice0cost_single_3_19;
-      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_20) +
-        slice0cost_pair_0_20 + slice0cost_single_3_20;
-      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_21) +
-        slice0cost_pair_0_21 + slice0cost_single_3_21;
-      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_22) +
-        slice0cost_pair_0_22 + slice0cost_single_3_22;
-      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_23) +
-        slice0cost_pair_0_23 + slice0cost_single_3_23;
-      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_3_24) +
-        slice0cost_pair_0_24 + slice0cost_single_3_24;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        as_number(slice0cost_negative_0_3) + slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        as_number(slice0cost_negative_0_4) + slice0cost_single_0_4;
+      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
+        as_number(slice0cost_negative_0_5) + slice0cost_single_0_5;
+      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
+        as_number(slice0cost_negative_0_6) + slice0cost_single_0_6;
+      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
+        as_number(slice0cost_negative_0_7) + slice0cost_single_0_7;
+      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
+        as_number(slice0cost_negative_0_8) + slice0cost_single_0_8;
+      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
+        as_number(slice0cost_negative_0_9) + slice0cost_single_0_9;
+      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
+        as_number(slice0cost_negative_0_10) + slice0cost_single_0_10;
+      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
+        as_number(slice0cost_negative_0_11) + slice0cost_single_0_11;
+      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
+        as_number(slice0cost_negative_0_12) + slice0cost_single_0_12;
+      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
+        as_number(slice0cost_negative_0_13) + slice0cost_single_0_13;
+      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
+        as_number(slice0cost_negative_0_14) + slice0cost_single_0_14;
+      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
+        as_number(slice0cost_negative_0_15) + slice0cost_single_0_15;
+      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
+        as_number(slice0cost_negative_0_16) + slice0cost_single_0_16;
+      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
+        as_number(slice0cost_negative_0_17) + slice0cost_single_0_17;
+      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
+        as_number(slice0cost_negative_0_18) + slice0cost_single_0_18;
+      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
+        as_number(slice0cost_negative_0_19) + slice0cost_single_0_19;
+      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
+        as_number(slice0cost_negative_0_20) + slice0cost_single_0_20;
+      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
+        as_number(slice0cost_negative_0_21) + slice0cost_single_0_21;
+      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
+        as_number(slice0cost_negative_0_22) + slice0cost_single_0_22;
+      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
+        as_number(slice0cost_negative_0_23) + slice0cost_single_0_23;
+      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
+        as_number(slice0cost_negative_0_24) + slice0cost_single_0_24;
+      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        as_number(slice0cost_negative_0_3) + slice0cost_single_3_3;
+      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        as_number(slice0cost_negative_0_4) + slice0cost_single_3_4;
+      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
+        as_number(slice0cost_negative_0_5) + slice0cost_single_3_5;
+      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
+        as_number(slice0cost_negative_0_6) + slice0cost_single_3_6;
+      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
+        as_number(slice0cost_negative_0_7) + slice0cost_single_3_7;
+      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
+        as_number(slice0cost_negative_0_8) + slice0cost_single_3_8;
+      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
+        as_number(slice0cost_negative_0_9) + slice0cost_single_3_9;
+      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
+        as_number(slice0cost_negative_0_10) + slice0cost_single_3_10;
+      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
+        as_number(slice0cost_negative_0_11) + slice0cost_single_3_11;
+      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
+        as_number(slice0cost_negative_0_12) + slice0cost_single_3_12;
+      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
+        as_number(slice0cost_negative_0_13) + slice0cost_single_3_13;
+      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
+        as_number(slice0cost_negative_0_14) + slice0cost_single_3_14;
+      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
+        as_number(slice0cost_negative_0_15) + slice0cost_single_3_15;
+      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
+        as_number(slice0cost_negative_0_16) + slice0cost_single_3_16;
+      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
+        as_number(slice0cost_negative_0_17) + slice0cost_single_3_17;
+      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
+        as_number(slice0cost_negative_0_18) + slice0cost_single_3_18;
+      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
+        as_number(slice0cost_negative_0_19) + slice0cost_single_3_19;
+      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
+        as_number(slice0cost_negative_0_20) + slice0cost_single_3_20;
+      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
+        as_number(slice0cost_negative_0_21) + slice0cost_single_3_21;
+      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
+        as_number(slice0cost_negative_0_22) + slice0cost_single_3_22;
+      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
+        as_number(slice0cost_negative_0_23) + slice0cost_single_3_23;
+      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
+        as_number(slice0cost_negative_0_24) + slice0cost_single_3_24;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
@@ -1351,264 +1286,395 @@ begin
         slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8_is_less := slice0window_sum_0_17 < slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9_is_less := slice0window_sum_0_19 < slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10_is_less := slice0window_sum_0_21 < slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11_is_less := slice0window_sum_0_23 < slice0window_sum_0_22;
-      slice0winner1_best_cost_1_0_is_less := slice0window_sum_1_1 < slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1_is_less := slice0window_sum_1_3 < slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2_is_less := slice0window_sum_1_5 < slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3_is_less := slice0window_sum_1_7 < slice0window_sum_1_6;
-      slice0winner1_best_cost_1_4_is_less := slice0window_sum_1_9 < slice0window_sum_1_8;
-      slice0winner1_best_cost_1_5_is_less := slice0window_sum_1_11 < slice0window_sum_1_10;
-      slice0winner1_best_cost_1_6_is_less := slice0window_sum_1_13 < slice0window_sum_1_12;
-      slice0winner1_best_cost_1_7_is_less := slice0window_sum_1_15 < slice0window_sum_1_14;
-      slice0winner1_best_cost_1_8_is_less := slice0window_sum_1_17 < slice0window_sum_1_16;
-      slice0winner1_best_cost_1_9_is_less := slice0window_sum_1_19 < slice0window_sum_1_18;
-      slice0winner1_best_cost_1_10_is_less := slice0window_sum_1_21 < slice0window_sum_1_20;
-      slice0winner1_best_cost_1_11_is_less := slice0window_sum_1_23 < slice0window_sum_1_22;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
-      slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
-        slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
-        slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
-        slice0window_sum_1_6;
-      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
-        slice0window_sum_1_8;
-      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
-        slice0window_sum_1_10;
-      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
-        slice0window_sum_1_12;
-      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
-        slice0window_sum_1_14;
-      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
-        slice0window_sum_1_16;
-      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
-        slice0window_sum_1_18;
-      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
-        slice0window_sum_1_20;
-      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
-        slice0window_sum_1_22;
-      slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
-      slice0winner1_best_index_0_12 <= 24;
-      slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
-      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
-      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
-      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
-      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
-      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
-      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
-      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
-      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
-      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
-      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_of_pair_0_16_is_less := (slice0window_sum_0_17 - slice0window_sum_0_16) < 0;
+      slice0winner1_of_pair_0_18_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
+      slice0winner1_of_pair_0_20_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
+      slice0winner1_of_pair_0_22_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
+      slice0winner1_of_pair_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
+      slice0winner1_of_pair_1_2_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
+      slice0winner1_of_pair_1_4_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
+      slice0winner1_of_pair_1_6_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
+      slice0winner1_of_pair_1_8_is_less := (slice0window_sum_1_9 - slice0window_sum_1_8) < 0;
+      slice0winner1_of_pair_1_10_is_less := (slice0window_sum_1_11 - slice0window_sum_1_10) < 0;
+      slice0winner1_of_pair_1_12_is_less := (slice0window_sum_1_13 - slice0window_sum_1_12) < 0;
+      slice0winner1_of_pair_1_14_is_less := (slice0window_sum_1_15 - slice0window_sum_1_14) < 0;
+      slice0winner1_of_pair_1_16_is_less := (slice0window_sum_1_17 - slice0window_sum_1_16) < 0;
+      slice0winner1_of_pair_1_18_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
+      slice0winner1_of_pair_1_20_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
+      slice0winner1_of_pair_1_22_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 12))))) < 0;
+      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_9, 12))))) < 0;
+      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_13, 12))))) < 0;
+      slice0winner1_of_four_0_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_18, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_16, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_17, 12))))) < 0;
+      slice0winner1_of_four_0_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_22, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_20, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_21, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
+      slice0winner1_of_four_1_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_6, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_7, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_4, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_5, 12))))) < 0;
+      slice0winner1_of_four_1_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_10, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_11, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_8, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_9, 12))))) < 0;
+      slice0winner1_of_four_1_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_14, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_15, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_12, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_13, 12))))) < 0;
+      slice0winner1_of_four_1_16_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_18, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_19, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_16, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_17, 12))))) < 0;
+      slice0winner1_of_four_1_20_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_1_22, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_23, 12)))) - to_integer(((to_unsigned(slice0winner1_of_pair_1_20, 12)) or
+        (to_unsigned(slice0winner1_of_pair_1_21, 12))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
+      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
+      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
+      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
+      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
+      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
+      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
+      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
+      slice0winner1_of_pair_0_16 <= 0 when slice0winner1_of_pair_0_16_is_less else slice0window_sum_0_16;
+      slice0winner1_of_pair_0_17 <= slice0window_sum_0_17 when slice0winner1_of_pair_0_16_is_less else 0;
+      slice0winner1_of_pair_0_18 <= 0 when slice0winner1_of_pair_0_18_is_less else slice0window_sum_0_18;
+      slice0winner1_of_pair_0_19 <= slice0window_sum_0_19 when slice0winner1_of_pair_0_18_is_less else 0;
+      slice0winner1_of_pair_0_20 <= 0 when slice0winner1_of_pair_0_20_is_less else slice0window_sum_0_20;
+      slice0winner1_of_pair_0_21 <= slice0window_sum_0_21 when slice0winner1_of_pair_0_20_is_less else 0;
+      slice0winner1_of_pair_0_22 <= 0 when slice0winner1_of_pair_0_22_is_less else slice0window_sum_0_22;
+      slice0winner1_of_pair_0_23 <= slice0window_sum_0_23 when slice0winner1_of_pair_0_22_is_less else 0;
+      slice0winner1_of_pair_0_24 <= slice0window_sum_0_24;
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
+      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= 0 when slice0winner1_of_pair_1_2_is_less else slice0window_sum_1_2;
+      slice0winner1_of_pair_1_3 <= slice0window_sum_1_3 when slice0winner1_of_pair_1_2_is_less else 0;
+      slice0winner1_of_pair_1_4 <= 0 when slice0winner1_of_pair_1_4_is_less else slice0window_sum_1_4;
+      slice0winner1_of_pair_1_5 <= slice0window_sum_1_5 when slice0winner1_of_pair_1_4_is_less else 0;
+      slice0winner1_of_pair_1_6 <= 0 when slice0winner1_of_pair_1_6_is_less else slice0window_sum_1_6;
+      slice0winner1_of_pair_1_7 <= slice0window_sum_1_7 when slice0winner1_of_pair_1_6_is_less else 0;
+      slice0winner1_of_pair_1_8 <= 0 when slice0winner1_of_pair_1_8_is_less else slice0window_sum_1_8;
+      slice0winner1_of_pair_1_9 <= slice0window_sum_1_9 when slice0winner1_of_pair_1_8_is_less else 0;
+      slice0winner1_of_pair_1_10 <= 0 when slice0winner1_of_pair_1_10_is_less else slice0window_sum_1_10;
+      slice0winner1_of_pair_1_11 <= slice0window_sum_1_11 when slice0winner1_of_pair_1_10_is_less else 0;
+      slice0winner1_of_pair_1_12 <= 0 when slice0winner1_of_pair_1_12_is_less else slice0window_sum_1_12;
+      slice0winner1_of_pair_1_13 <= slice0window_sum_1_13 when slice0winner1_of_pair_1_12_is_less else 0;
+      slice0winner1_of_pair_1_14 <= 0 when slice0winner1_of_pair_1_14_is_less else slice0window_sum_1_14;
+      slice0winner1_of_pair_1_15 <= slice0window_sum_1_15 when slice0winner1_of_pair_1_14_is_less else 0;
+      slice0winner1_of_pair_1_16 <= 0 when slice0winner1_of_pair_1_16_is_less else slice0window_sum_1_16;
+      slice0winner1_of_pair_1_17 <= slice0window_sum_1_17 when slice0winner1_of_pair_1_16_is_less else 0;
+      slice0winner1_of_pair_1_18 <= 0 when slice0winner1_of_pair_1_18_is_less else slice0window_sum_1_18;
+      slice0winner1_of_pair_1_19 <= slice0window_sum_1_19 when slice0winner1_of_pair_1_18_is_less else 0;
+      slice0winner1_of_pair_1_20 <= 0 when slice0winner1_of_pair_1_20_is_less else slice0window_sum_1_20;
+      slice0winner1_of_pair_1_21 <= slice0window_sum_1_21 when slice0winner1_of_pair_1_20_is_less else 0;
+      slice0winner1_of_pair_1_22 <= 0 when slice0winner1_of_pair_1_22_is_less else slice0window_sum_1_22;
+      slice0winner1_of_pair_1_23 <= slice0window_sum_1_23 when slice0winner1_of_pair_1_22_is_less else 0;
+      slice0winner1_of_pair_1_24 <= slice0window_sum_1_24;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
+      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
+      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
+      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
+      slice0winner1_pair_index_0_8 <= 17 when slice0winner1_of_pair_0_16_is_less else 16;
+      slice0winner1_pair_index_0_9 <= 19 when slice0winner1_of_pair_0_18_is_less else 18;
+      slice0winner1_pair_index_0_10 <= 21 when slice0winner1_of_pair_0_20_is_less else 20;
+      slice0winner1_pair_index_0_11 <= 23 when slice0winner1_of_pair_0_22_is_less else 22;
+      slice0winner1_pair_index_0_12 <= 24;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_index_1_1 <= 3 when slice0winner1_of_pair_1_2_is_less else 2;
+      slice0winner1_pair_index_1_2 <= 5 when slice0winner1_of_pair_1_4_is_less else 4;
+      slice0winner1_pair_index_1_3 <= 7 when slice0winner1_of_pair_1_6_is_less else 6;
+      slice0winner1_pair_index_1_4 <= 9 when slice0winner1_of_pair_1_8_is_less else 8;
+      slice0winner1_pair_index_1_5 <= 11 when slice0winner1_of_pair_1_10_is_less else 10;
+      slice0winner1_pair_index_1_6 <= 13 when slice0winner1_of_pair_1_12_is_less else 12;
+      slice0winner1_pair_index_1_7 <= 15 when slice0winner1_of_pair_1_14_is_less else 14;
+      slice0winner1_pair_index_1_8 <= 17 when slice0winner1_of_pair_1_16_is_less else 16;
+      slice0winner1_pair_index_1_9 <= 19 when slice0winner1_of_pair_1_18_is_less else 18;
+      slice0winner1_pair_index_1_10 <= 21 when slice0winner1_of_pair_1_20_is_less else 20;
+      slice0winner1_pair_index_1_11 <= 23 when slice0winner1_of_pair_1_22_is_less else 22;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
+      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
+      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
+      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
+      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_16 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_16;
+      slice0winner1_of_four_0_17 <= 0 when slice0winner1_of_four_0_16_is_less else slice0winner1_of_pair_0_17;
+      slice0winner1_of_four_0_18 <= slice0winner1_of_pair_0_18 when slice0winner1_of_four_0_16_is_less else 0;
+      slice0winner1_of_four_0_19 <= slice0winner1_of_pair_0_19 when slice0winner1_of_four_0_16_is_less else 0;
+      slice0winner1_of_four_0_20 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_20;
+      slice0winner1_of_four_0_21 <= 0 when slice0winner1_of_four_0_20_is_less else slice0winner1_of_pair_0_21;
+      slice0winner1_of_four_0_22 <= slice0winner1_of_pair_0_22 when slice0winner1_of_four_0_20_is_less else 0;
+      slice0winner1_of_four_0_23 <= slice0winner1_of_pair_0_23 when slice0winner1_of_four_0_20_is_less else 0;
+      slice0winner1_of_four_0_24 <= slice0winner1_of_pair_0_24;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_3 <= slice0winner1_of_pair_1_3 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_of_four_1_4 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_4;
+      slice0winner1_of_four_1_5 <= 0 when slice0winner1_of_four_1_4_is_less else slice0winner1_of_pair_1_5;
+      slice0winner1_of_four_1_6 <= slice0winner1_of_pair_1_6 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_1_7 <= slice0winner1_of_pair_1_7 when slice0winner1_of_four_1_4_is_less else 0;
+      slice0winner1_of_four_1_8 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_8;
+      slice0winner1_of_four_1_9 <= 0 when slice0winner1_of_four_1_8_is_less else slice0winner1_of_pair_1_9;
+      slice0winner1_of_four_1_10 <= slice0winner1_of_pair_1_10 when slice0winner1_of_four_1_8_is_less else 0;
+      slice0winner1_of_four_1_11 <= slice0winner1_of_pair_1_11 when slice0winner1_of_four_1_8_is_less else 0;
+      slice0winner1_of_four_1_12 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_12;
+      slice0winner1_of_four_1_13 <= 0 when slice0winner1_of_four_1_12_is_less else slice0winner1_of_pair_1_13;
+      slice0winner1_of_four_1_14 <= slice0winner1_of_pair_1_14 when slice0winner1_of_four_1_12_is_less else 0;
+      slice0winner1_of_four_1_15 <= slice0winner1_of_pair_1_15 when slice0winner1_of_four_1_12_is_less else 0;
+      slice0winner1_of_four_1_16 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_16;
+      slice0winner1_of_four_1_17 <= 0 when slice0winner1_of_four_1_16_is_less else slice0winner1_of_pair_1_17;
+      slice0winner1_of_four_1_18 <= slice0winner1_of_pair_1_18 when slice0winner1_of_four_1_16_is_less else 0;
+      slice0winner1_of_four_1_19 <= slice0winner1_of_pair_1_19 when slice0winner1_of_four_1_16_is_less else 0;
+      slice0winner1_of_four_1_20 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_20;
+      slice0winner1_of_four_1_21 <= 0 when slice0winner1_of_four_1_20_is_less else slice0winner1_of_pair_1_21;
+      slice0winner1_of_four_1_22 <= slice0winner1_of_pair_1_22 when slice0winner1_of_four_1_20_is_less else 0;
+      slice0winner1_of_four_1_23 <= slice0winner1_of_pair_1_23 when slice0winner1_of_four_1_20_is_less else 0;
+      slice0winner1_of_four_1_24 <= slice0winner1_of_pair_1_24;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
+        slice0winner1_pair_index_0_4;
+      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
+        slice0winner1_pair_index_0_6;
+      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_9 when slice0winner1_of_four_0_16_is_less else
+        slice0winner1_pair_index_0_8;
+      slice0winner1_four_index_0_5 <= slice0winner1_pair_index_0_11 when slice0winner1_of_four_0_20_is_less else
+        slice0winner1_pair_index_0_10;
+      slice0winner1_four_index_0_6 <= slice0winner1_pair_index_0_12;
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_1_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_index_1_1 <= slice0winner1_pair_index_1_3 when slice0winner1_of_four_1_4_is_less else
+        slice0winner1_pair_index_1_2;
+      slice0winner1_four_index_1_2 <= slice0winner1_pair_index_1_5 when slice0winner1_of_four_1_8_is_less else
+        slice0winner1_pair_index_1_4;
+      slice0winner1_four_index_1_3 <= slice0winner1_pair_index_1_7 when slice0winner1_of_four_1_12_is_less else
+        slice0winner1_pair_index_1_6;
+      slice0winner1_four_index_1_4 <= slice0winner1_pair_index_1_9 when slice0winner1_of_four_1_16_is_less else
+        slice0winner1_pair_index_1_8;
+      slice0winner1_four_index_1_5 <= slice0winner1_pair_index_1_11 when slice0winner1_of_four_1_20_is_less else
+        slice0winner1_pair_index_1_10;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 12)))) or (to_unsigned(slice0winner1_of_four_0_1, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 12)))) or (to_unsigned(slice0winner1_of_four_0_5, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 12))));
+      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_11, 12)))) or (to_unsigned(slice0winner1_of_four_0_9, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_8, 12))));
+      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_15, 12)))) or (to_unsigned(slice0winner1_of_four_0_13, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_12, 12))));
+      slice0winner1_best_cost_0_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_18, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_19, 12)))) or (to_unsigned(slice0winner1_of_four_0_17, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_16, 12))));
+      slice0winner1_best_cost_0_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_22, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_23, 12)))) or (to_unsigned(slice0winner1_of_four_0_21, 12)))) or
+        (to_unsigned(slice0winner1_of_four_0_20, 12))));
+      slice0winner1_best_cost_0_6 <= slice0winner1_of_four_0_24;
+      slice0winner1_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_2, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_3, 12)))) or (to_unsigned(slice0winner1_of_four_1_1, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_0, 12))));
+      slice0winner1_best_cost_1_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_6, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_7, 12)))) or (to_unsigned(slice0winner1_of_four_1_5, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_4, 12))));
+      slice0winner1_best_cost_1_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_10, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_11, 12)))) or (to_unsigned(slice0winner1_of_four_1_9, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_8, 12))));
+      slice0winner1_best_cost_1_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_14, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_15, 12)))) or (to_unsigned(slice0winner1_of_four_1_13, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_12, 12))));
+      slice0winner1_best_cost_1_4 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_18, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_19, 12)))) or (to_unsigned(slice0winner1_of_four_1_17, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_16, 12))));
+      slice0winner1_best_cost_1_5 <= to_integer(((((((to_unsigned(slice0winner1_of_four_1_22, 12)) or
+        (to_unsigned(slice0winner1_of_four_1_23, 12)))) or (to_unsigned(slice0winner1_of_four_1_21, 12)))) or
+        (to_unsigned(slice0winner1_of_four_1_20, 12))));
+      slice0winner1_best_cost_1_6 <= slice0winner1_of_four_1_24;
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
+      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
+      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
+      slice0winner1_best_index_0_5 <= slice0winner1_four_index_0_5;
+      slice0winner1_best_index_0_6 <= slice0winner1_four_index_0_6;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_best_index_1_1 <= slice0winner1_four_index_1_1;
+      slice0winner1_best_index_1_2 <= slice0winner1_four_index_1_2;
+      slice0winner1_best_index_1_3 <= slice0winner1_four_index_1_3;
+      slice0winner1_best_index_1_4 <= slice0winner1_four_index_1_4;
+      slice0winner1_best_index_1_5 <= slice0winner1_four_index_1_5;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4_is_less := slice0winner1_best_cost_0_9 < slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5_is_less := slice0winner1_best_cost_0_11 < slice0winner1_best_cost_0_10;
-      slice0winner2_best_cost_1_0_is_less := slice0winner1_best_cost_1_1 < slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1_is_less := slice0winner1_best_cost_1_3 < slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_1_2_is_less := slice0winner1_best_cost_1_5 < slice0winner1_best_cost_1_4;
-      slice0winner2_best_cost_1_3_is_less := slice0winner1_best_cost_1_7 < slice0winner1_best_cost_1_6;
-      slice0winner2_best_cost_1_4_is_less := slice0winner1_best_cost_1_9 < slice0winner1_best_cost_1_8;
-      slice0winner2_best_cost_1_5_is_less := slice0winner1_best_cost_1_11 < slice0winner1_best_cost_1_10;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
-      slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
-        slice0winner1_best_cost_1_4;
-      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_cost_1_6;
-      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_cost_1_8;
-      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_cost_1_10;
-      slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_of_pair_0_4_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
+      slice0winner2_of_pair_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
+      slice0winner2_of_pair_1_2_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
+      slice0winner2_of_pair_1_4_is_less := (slice0winner1_best_cost_1_5 - slice0winner1_best_cost_1_4) < 0;
+      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 12)) or
+        (to_unsigned(slice0winner2_of_pair_0_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 12)) or
+        (to_unsigned(slice0winner2_of_pair_0_1, 12))))) < 0;
+      slice0winner2_of_four_0_4_is_less := (slice0winner2_of_pair_0_6 -
+        to_integer(((to_unsigned(slice0winner2_of_pair_0_4, 12)) or (to_unsigned(slice0winner2_of_pair_0_5, 12))))) < 0;
+      slice0winner2_of_four_1_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_1_2, 12)) or
+        (to_unsigned(slice0winner2_of_pair_1_3, 12)))) - to_integer(((to_unsigned(slice0winner2_of_pair_1_0, 12)) or
+        (to_unsigned(slice0winner2_of_pair_1_1, 12))))) < 0;
+      slice0winner2_of_four_1_4_is_less := (slice0winner2_of_pair_1_6 -
+        to_integer(((to_unsigned(slice0winner2_of_pair_1_4, 12)) or (to_unsigned(slice0winner2_of_pair_1_5, 12))))) < 0;
+      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
+      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
+      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
+      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
+      slice0winner2_of_pair_0_4 <= 0 when slice0winner2_of_pair_0_4_is_less else slice0winner1_best_cost_0_4;
+      slice0winner2_of_pair_0_5 <= slice0winner1_best_cost_0_5 when slice0winner2_of_pair_0_4_is_less else 0;
+      slice0winner2_of_pair_0_6 <= slice0winner1_best_cost_0_6;
+      slice0winner2_of_pair_1_0 <= 0 when slice0winner2_of_pair_1_0_is_less else slice0winner1_best_cost_1_0;
+      slice0winner2_of_pair_1_1 <= slice0winner1_best_cost_1_1 when slice0winner2_of_pair_1_0_is_less else 0;
+      slice0winner2_of_pair_1_2 <= 0 when slice0winner2_of_pair_1_2_is_less else slice0winner1_best_cost_1_2;
+      slice0winner2_of_pair_1_3 <= slice0winner1_best_cost_1_3 when slice0winner2_of_pair_1_2_is_less else 0;
+      slice0winner2_of_pair_1_4 <= 0 when slice0winner2_of_pair_1_4_is_less else slice0winner1_best_cost_1_4;
+      slice0winner2_of_pair_1_5 <= slice0winner1_best_cost_1_5 when slice0winner2_of_pair_1_4_is_less else 0;
+      slice0winner2_of_pair_1_6 <= slice0winner1_best_cost_1_6;
+      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
+      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_of_pair_0_4_is_less else
         slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
-      slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
+      slice0winner2_pair_index_0_3 <= slice0winner1_best_index_0_6;
+      slice0winner2_pair_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_of_pair_1_0_is_less else
+        slice0winner1_best_index_1_0;
+      slice0winner2_pair_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_of_pair_1_2_is_less else
         slice0winner1_best_index_1_2;
-      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
+      slice0winner2_pair_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_of_pair_1_4_is_less else
         slice0winner1_best_index_1_4;
-      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_index_1_6;
-      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_index_1_8;
-      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_index_1_10;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
+      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
+      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_4 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_4;
+      slice0winner2_of_four_0_5 <= 0 when slice0winner2_of_four_0_4_is_less else slice0winner2_of_pair_0_5;
+      slice0winner2_of_four_0_6 <= slice0winner2_of_pair_0_6 when slice0winner2_of_four_0_4_is_less else 0;
+      slice0winner2_of_four_1_0 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_0;
+      slice0winner2_of_four_1_1 <= 0 when slice0winner2_of_four_1_0_is_less else slice0winner2_of_pair_1_1;
+      slice0winner2_of_four_1_2 <= slice0winner2_of_pair_1_2 when slice0winner2_of_four_1_0_is_less else 0;
+      slice0winner2_of_four_1_3 <= slice0winner2_of_pair_1_3 when slice0winner2_of_four_1_0_is_less else 0;
+      slice0winner2_of_four_1_4 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_4;
+      slice0winner2_of_four_1_5 <= 0 when slice0winner2_of_four_1_4_is_less else slice0winner2_of_pair_1_5;
+      slice0winner2_of_four_1_6 <= slice0winner2_of_pair_1_6 when slice0winner2_of_four_1_4_is_less else 0;
+      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
+        slice0winner2_pair_index_0_0;
+      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_0_4_is_less else
+        slice0winner2_pair_index_0_2;
+      slice0winner2_four_index_1_0 <= slice0winner2_pair_index_1_1 when slice0winner2_of_four_1_0_is_less else
+        slice0winner2_pair_index_1_0;
+      slice0winner2_four_index_1_1 <= slice0winner2_pair_index_0_3 when slice0winner2_of_four_1_4_is_less else
+        slice0winner2_pair_index_1_2;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
+      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 12)) or
+        (to_unsigned(slice0winner2_of_four_0_3, 12)))) or (to_unsigned(slice0winner2_of_four_0_1, 12)))) or
+        (to_unsigned(slice0winner2_of_four_0_0, 12))));
+      slice0winner2_best_cost_0_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_0_5, 12)) or
+        (to_unsigned(slice0winner2_of_four_0_6, 12)))) or (to_unsigned(slice0winner2_of_four_0_4, 12))));
+      slice0winner2_best_cost_1_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_1_2, 12)) or
+        (to_unsigned(slice0winner2_of_four_1_3, 12)))) or (to_unsigned(slice0winner2_of_four_1_1, 12)))) or
+        (to_unsigned(slice0winner2_of_four_1_0, 12))));
+      slice0winner2_best_cost_1_1 <= to_integer(((((to_unsigned(slice0winner2_of_four_1_5, 12)) or
+        (to_unsigned(slice0winner2_of_four_1_6, 12)))) or (to_unsigned(slice0winner2_of_four_1_4, 12))));
+      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
+      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
+      slice0winner2_best_index_1_0 <= slice0winner2_four_index_1_0;
+      slice0winner2_best_index_1_1 <= slice0winner2_four_index_1_1;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2_is_less := slice0winner2_best_cost_0_5 < slice0winner2_best_cost_0_4;
-      slice0winner3_best_cost_1_0_is_less := slice0winner2_best_cost_1_1 < slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_1_1_is_less := slice0winner2_best_cost_1_3 < slice0winner2_best_cost_1_2;
-      slice0winner3_best_cost_1_2_is_less := slice0winner2_best_cost_1_5 < slice0winner2_best_cost_1_4;
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
-      slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
       slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_cost_1_2;
-      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_cost_1_4;
-      slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
-      slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
         slice0winner2_best_index_1_0;
-      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_index_1_2;
-      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_index_1_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1_is_less := slice0winner3_best_cost_0_3 < slice0winner3_best_cost_0_2;
-      slice0winner4_best_cost_1_0_is_less := slice0winner3_best_cost_1_1 < slice0winner3_best_cost_1_0;
-      slice0winner4_best_cost_1_1_is_less := slice0winner3_best_cost_1_3 < slice0winner3_best_cost_1_2;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_cost_1_0;
-      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_cost_1_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
-      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_index_1_0;
-      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_index_1_2;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := slice0winner4_best_cost_0_1 < slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_1_0_is_less := slice0winner4_best_cost_1_1 < slice0winner4_best_cost_1_0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_cost_1_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
-      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_index_1_0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
-      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
-      slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
-      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 3;
-      slice0_best_index_1_0 <= slice0winner5_best_index_1_0 + 3;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 3;
+      slice0_best_index_1_0 <= slice0winner3_best_index_1_0 + 3;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1629,12 +1695,6 @@ begin
       slice1shift_reference_2 <= slice0shift_reference_2;
       slice1shift_reference_3 <= slice0shift_reference_3;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1647,39 +1707,33 @@ begin
       slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
       slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
       slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_3_0 <= folded(slice1cost_difference_3_0);
-      slice1cost_single_3_1 <= folded(slice1cost_difference_3_1);
-      slice1cost_single_3_2 <= folded(slice1cost_difference_3_2);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_3_0 <= slice1cost_difference_3_0 < 0;
-      slice1cost_negative_3_1 <= slice1cost_difference_3_1 < 0;
-      slice1cost_negative_3_2 <= slice1cost_difference_3_2 < 0;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
+      slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
+      slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1702,28 +1756,42 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0_is_less := slice1window_sum_1_1 < slice1window_sum_1_0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 2;
-      slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
+      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 2;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0_is_less := slice1winner1_best_cost_1_1 < slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_0;
+      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_0;
       -- slice1winner3
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_0;
@@ -1740,19 +1808,19 @@ begin
       slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
       slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner5_best_cost_0_0 else
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0 else
         slice1winner5_best_index_0_0;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice0_best_cost_1_0 < slice1winner5_best_cost_1_0 else
+      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0 else
         slice1winner5_best_index_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 7;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -1798,10 +1866,26 @@ begin
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -1810,14 +1894,6 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_output_column <= false;
-        slice0winner5_tag_start_of_frame <= false;
-        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 4,
-      latency_clocks => 17,
+      latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0,
-      core_id => x"06349356",
+      core_id => x"6f6ae214",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 2,
       disparity_bits => 8,
       output_width_px => 4,
-      latency_clocks => 17,
+      latency_clocks => 19,
       flush_groups => 32,
       gap_groups => 0)
     port map (

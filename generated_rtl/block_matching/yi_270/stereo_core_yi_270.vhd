@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, block matching, configuration yi_270: 270x270, 34 disparities, window 9x9, 1 pixel pairs a clock.
+-- Stereo core, block matching, configuration yi_270: 270x270, 34 disparities, window 9x9, 1 pixel pair a clock.
 -- Options: disparities 34, window_px 9, aggregation recursive, slice_disparities 17.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config yi_270
@@ -17,7 +17,7 @@ entity stereo_core_yi_270 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 236;
-    latency_clocks : positive := 20;
+    latency_clocks : positive := 22;
     flush_groups : positive := 1083;
     gap_groups : positive := 1080
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_yi_270: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_yi_270: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 236 report "stereo_core_yi_270: output_width_px is " & integer'image(output_width_px) & " but this core has 236" severity failure;
-  assert latency_clocks = 20 report "stereo_core_yi_270: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
+  assert latency_clocks = 22 report "stereo_core_yi_270: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
   assert flush_groups = 1083 report "stereo_core_yi_270: flush_groups is " & integer'image(flush_groups) & " but this core has 1083" severity failure;
   assert gap_groups = 1080 report "stereo_core_yi_270: gap_groups is " & integer'image(gap_groups) & " but this core has 1080" severity failure;
 end entity;
 
 architecture rtl of stereo_core_yi_270 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_yi_270 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -233,8 +231,9 @@ architecture rtl of stereo_core_yi_270 is
   signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
   signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
   signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
-  signal slice0window_centre_start_of_frame_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
-  signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_start_of_frame_1 : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_output_column : boolean;
+  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
   signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -4095 to 4095;
   signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -4095 to 4095;
   signal slice0window_change_0_6, slice0window_change_0_7, slice0window_change_0_8 : integer range -4095 to 4095;
@@ -248,51 +247,58 @@ architecture rtl of stereo_core_yi_270 is
   signal slice0window_sum_0_12, slice0window_sum_0_13, slice0window_sum_0_14 : natural range 0 to 32767;
   signal slice0window_sum_0_15, slice0window_sum_0_16 : natural range 0 to 32767;
   -- slice0winner1
-  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_2, slice0winner1_best_cost_0_3 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_4, slice0winner1_best_cost_0_5 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_6, slice0winner1_best_cost_0_7 : natural range 0 to 32767;
-  signal slice0winner1_best_cost_0_8 : natural range 0 to 32767;
-  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
-  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
-  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice0winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice0winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice0winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice0winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice0winner1_best_index_0_7 : natural range 0 to 15;
-  signal slice0winner1_best_index_0_8 : natural range 0 to 16;
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_3, slice0winner1_of_pair_0_4, slice0winner1_of_pair_0_5 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_6, slice0winner1_of_pair_0_7, slice0winner1_of_pair_0_8 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_9, slice0winner1_of_pair_0_10, slice0winner1_of_pair_0_11 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_12, slice0winner1_of_pair_0_13, slice0winner1_of_pair_0_14 : natural range 0 to 32767;
+  signal slice0winner1_of_pair_0_15, slice0winner1_of_pair_0_16, slice0winner1_of_four_0_0 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_1, slice0winner1_of_four_0_2, slice0winner1_of_four_0_3 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_4, slice0winner1_of_four_0_5, slice0winner1_of_four_0_6 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_7, slice0winner1_of_four_0_8, slice0winner1_of_four_0_9 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_10, slice0winner1_of_four_0_11, slice0winner1_of_four_0_12 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_13, slice0winner1_of_four_0_14, slice0winner1_of_four_0_15 : natural range 0 to 32767;
+  signal slice0winner1_of_four_0_16, slice0winner1_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_1, slice0winner1_best_cost_0_2 : natural range 0 to 32767;
+  signal slice0winner1_best_cost_0_3, slice0winner1_best_cost_0_4 : natural range 0 to 32767;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_tag_valid, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_start_of_frame, slice0winner1_pair_tag_end_of_line : boolean;
+  signal slice0winner1_four_tag_valid, slice0winner1_four_tag_output_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice0winner1_pair_index_0_3, slice0winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice0winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice0winner1_pair_index_0_5, slice0winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice0winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice0winner1_pair_index_0_7, slice0winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_best_index_0_3 : natural range 0 to 15;
+  signal slice0winner1_pair_index_0_8, slice0winner1_four_index_0_4 : natural range 0 to 16;
+  signal slice0winner1_best_index_0_4 : natural range 0 to 16;
   -- slice0winner2
-  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner2_best_cost_0_2, slice0winner2_best_cost_0_3 : natural range 0 to 32767;
-  signal slice0winner2_best_cost_0_4 : natural range 0 to 32767;
-  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice0winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice0winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice0winner2_best_index_0_3 : natural range 0 to 15;
-  signal slice0winner2_best_index_0_4 : natural range 0 to 16;
-  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
-  signal slice0winner2_tag_end_of_line : boolean;
+  signal slice0winner2_of_pair_0_0, slice0winner2_of_pair_0_1, slice0winner2_of_pair_0_2 : natural range 0 to 32767;
+  signal slice0winner2_of_pair_0_3, slice0winner2_of_pair_0_4, slice0winner2_of_four_0_0 : natural range 0 to 32767;
+  signal slice0winner2_of_four_0_1, slice0winner2_of_four_0_2, slice0winner2_of_four_0_3 : natural range 0 to 32767;
+  signal slice0winner2_of_four_0_4, slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice0winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice0winner2_pair_index_0_1, slice0winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 15;
+  signal slice0winner2_pair_index_0_2, slice0winner2_four_index_0_1 : natural range 0 to 16;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 16;
+  signal slice0winner2_pair_tag_valid, slice0winner2_pair_tag_output_column : boolean;
+  signal slice0winner2_pair_tag_start_of_frame, slice0winner2_pair_tag_end_of_line : boolean;
+  signal slice0winner2_four_tag_valid, slice0winner2_four_tag_output_column : boolean;
+  signal slice0winner2_four_tag_start_of_frame, slice0winner2_four_tag_end_of_line, slice0winner2_tag_valid : boolean;
+  signal slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame, slice0winner2_tag_end_of_line : boolean;
   -- slice0winner3
-  signal slice0winner3_best_cost_0_0, slice0winner3_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner3_best_cost_0_2 : natural range 0 to 32767;
-  signal slice0winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice0winner3_best_index_0_1 : natural range 0 to 15;
-  signal slice0winner3_best_index_0_2 : natural range 0 to 16;
+  signal slice0winner3_best_cost_0_0 : natural range 0 to 32767;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 16;
   signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
   signal slice0winner3_tag_end_of_line : boolean;
-  -- slice0winner4
-  signal slice0winner4_best_cost_0_0, slice0winner4_best_cost_0_1 : natural range 0 to 32767;
-  signal slice0winner4_best_index_0_0 : natural range 0 to 15;
-  signal slice0winner4_best_index_0_1 : natural range 0 to 16;
-  signal slice0winner4_tag_valid, slice0winner4_tag_output_column, slice0winner4_tag_start_of_frame : boolean;
-  signal slice0winner4_tag_end_of_line : boolean;
-  -- slice0winner5
-  signal slice0winner5_best_cost_0_0 : natural range 0 to 32767;
-  signal slice0winner5_best_index_0_0 : natural range 0 to 16;
-  signal slice0winner5_tag_valid, slice0winner5_tag_output_column, slice0winner5_tag_start_of_frame : boolean;
-  signal slice0winner5_tag_end_of_line : boolean;
   -- slice0
   signal slice0_best_cost_0_0 : natural range 0 to 32767;
   signal slice0_best_index_0_0 : natural range 0 to 33;
@@ -391,43 +397,47 @@ architecture rtl of stereo_core_yi_270 is
   signal slice1window_sum_0_12, slice1window_sum_0_13, slice1window_sum_0_14 : natural range 0 to 32767;
   signal slice1window_sum_0_15, slice1window_sum_0_16 : natural range 0 to 32767;
   signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
-  signal slice1window_centre_output_column_2, slice1window_centre_start_of_frame_0 : boolean;
-  signal slice1window_centre_start_of_frame_1, slice1window_centre_start_of_frame_2 : boolean;
-  signal slice1window_centre_end_of_line_0, slice1window_centre_end_of_line_1 : boolean;
-  signal slice1window_centre_end_of_line_2 : boolean;
+  signal slice1window_centre_output_column_2, slice1window_centre_start_of_frame_1 : boolean;
+  signal slice1window_centre_start_of_frame_2, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_centre_end_of_line_1, slice1window_centre_end_of_line_2 : boolean;
   -- slice1winner1
-  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_2, slice1winner1_best_cost_0_3 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_4, slice1winner1_best_cost_0_5 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_6, slice1winner1_best_cost_0_7 : natural range 0 to 32767;
-  signal slice1winner1_best_cost_0_8 : natural range 0 to 32767;
-  signal slice1winner1_best_index_0_0 : boolean;
-  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
-  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
-  signal slice1winner1_best_index_0_3 : natural range 0 to 7;
-  signal slice1winner1_best_index_0_4 : natural range 0 to 9;
-  signal slice1winner1_best_index_0_5 : natural range 0 to 11;
-  signal slice1winner1_best_index_0_6 : natural range 0 to 13;
-  signal slice1winner1_best_index_0_7 : natural range 0 to 15;
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_3, slice1winner1_of_pair_0_4, slice1winner1_of_pair_0_5 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_6, slice1winner1_of_pair_0_7, slice1winner1_of_pair_0_8 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_9, slice1winner1_of_pair_0_10, slice1winner1_of_pair_0_11 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_12, slice1winner1_of_pair_0_13, slice1winner1_of_pair_0_14 : natural range 0 to 32767;
+  signal slice1winner1_of_pair_0_15, slice1winner1_of_pair_0_16, slice1winner1_of_four_0_0 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_1, slice1winner1_of_four_0_2, slice1winner1_of_four_0_3 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_4, slice1winner1_of_four_0_5, slice1winner1_of_four_0_6 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_7, slice1winner1_of_four_0_8, slice1winner1_of_four_0_9 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_10, slice1winner1_of_four_0_11, slice1winner1_of_four_0_12 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_13, slice1winner1_of_four_0_14, slice1winner1_of_four_0_15 : natural range 0 to 32767;
+  signal slice1winner1_of_four_0_16, slice1winner1_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_1, slice1winner1_best_cost_0_2 : natural range 0 to 32767;
+  signal slice1winner1_best_cost_0_3, slice1winner1_best_cost_0_4 : natural range 0 to 32767;
+  signal slice1winner1_pair_index_0_0 : boolean;
+  signal slice1winner1_pair_index_0_1, slice1winner1_four_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner1_pair_index_0_2 : natural range 0 to 5;
+  signal slice1winner1_pair_index_0_3, slice1winner1_four_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 7;
+  signal slice1winner1_pair_index_0_4 : natural range 0 to 9;
+  signal slice1winner1_pair_index_0_5, slice1winner1_four_index_0_2 : natural range 0 to 11;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 11;
+  signal slice1winner1_pair_index_0_6 : natural range 0 to 13;
+  signal slice1winner1_pair_index_0_7, slice1winner1_four_index_0_3 : natural range 0 to 15;
+  signal slice1winner1_best_index_0_3 : natural range 0 to 15;
   -- slice1winner2
-  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner2_best_cost_0_2, slice1winner2_best_cost_0_3 : natural range 0 to 32767;
-  signal slice1winner2_best_cost_0_4 : natural range 0 to 32767;
-  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
-  signal slice1winner2_best_index_0_1 : natural range 0 to 7;
-  signal slice1winner2_best_index_0_2 : natural range 0 to 11;
-  signal slice1winner2_best_index_0_3 : natural range 0 to 15;
+  signal slice1winner2_of_pair_0_0, slice1winner2_of_pair_0_1, slice1winner2_of_pair_0_2 : natural range 0 to 32767;
+  signal slice1winner2_of_pair_0_3, slice1winner2_of_pair_0_4, slice1winner2_of_four_0_0 : natural range 0 to 32767;
+  signal slice1winner2_of_four_0_1, slice1winner2_of_four_0_2, slice1winner2_of_four_0_3 : natural range 0 to 32767;
+  signal slice1winner2_of_four_0_4, slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 32767;
+  signal slice1winner2_pair_index_0_0 : natural range 0 to 7;
+  signal slice1winner2_pair_index_0_1, slice1winner2_four_index_0_0 : natural range 0 to 15;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 15;
   -- slice1winner3
-  signal slice1winner3_best_cost_0_0, slice1winner3_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner3_best_cost_0_2 : natural range 0 to 32767;
-  signal slice1winner3_best_index_0_0 : natural range 0 to 7;
-  signal slice1winner3_best_index_0_1 : natural range 0 to 15;
-  -- slice1winner4
-  signal slice1winner4_best_cost_0_0, slice1winner4_best_cost_0_1 : natural range 0 to 32767;
-  signal slice1winner4_best_index_0_0 : natural range 0 to 15;
-  -- slice1winner5
-  signal slice1winner5_best_cost_0_0 : natural range 0 to 32767;
-  signal slice1winner5_best_index_0_0 : natural range 0 to 16;
+  signal slice1winner3_best_cost_0_0 : natural range 0 to 32767;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 16;
   -- slice1
   signal slice1_best_index_0_0 : natural range 0 to 33;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
@@ -832,23 +842,23 @@ begin
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
-    variable slice0winner1_best_cost_0_1_is_less, slice0winner1_best_cost_0_2_is_less : boolean;
-    variable slice0winner1_best_cost_0_3_is_less, slice0winner1_best_cost_0_4_is_less : boolean;
-    variable slice0winner1_best_cost_0_5_is_less, slice0winner1_best_cost_0_6_is_less : boolean;
-    variable slice0winner1_best_cost_0_7_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
-    variable slice0winner2_best_cost_0_1_is_less, slice0winner2_best_cost_0_2_is_less : boolean;
-    variable slice0winner2_best_cost_0_3_is_less, slice0winner3_best_cost_0_0_is_less : boolean;
-    variable slice0winner3_best_cost_0_1_is_less, slice0winner4_best_cost_0_0_is_less : boolean;
-    variable slice0winner5_best_cost_0_0_is_less, slice1winner1_best_cost_0_0_is_less : boolean;
-    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
-    variable slice1winner1_best_cost_0_3_is_less, slice1winner1_best_cost_0_4_is_less : boolean;
-    variable slice1winner1_best_cost_0_5_is_less, slice1winner1_best_cost_0_6_is_less : boolean;
-    variable slice1winner1_best_cost_0_7_is_less, slice1winner2_best_cost_0_0_is_less : boolean;
-    variable slice1winner2_best_cost_0_1_is_less, slice1winner2_best_cost_0_2_is_less : boolean;
-    variable slice1winner2_best_cost_0_3_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
-    variable slice1winner3_best_cost_0_1_is_less, slice1winner4_best_cost_0_0_is_less : boolean;
-    variable slice1winner5_best_cost_0_0_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_0_2_is_less, slice0winner1_of_pair_0_4_is_less : boolean;
+    variable slice0winner1_of_pair_0_6_is_less, slice0winner1_of_pair_0_8_is_less : boolean;
+    variable slice0winner1_of_pair_0_10_is_less, slice0winner1_of_pair_0_12_is_less : boolean;
+    variable slice0winner1_of_pair_0_14_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_0_4_is_less, slice0winner1_of_four_0_8_is_less : boolean;
+    variable slice0winner1_of_four_0_12_is_less, slice0winner2_of_pair_0_0_is_less : boolean;
+    variable slice0winner2_of_pair_0_2_is_less, slice0winner2_of_four_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice1winner1_of_pair_0_0_is_less : boolean;
+    variable slice1winner1_of_pair_0_2_is_less, slice1winner1_of_pair_0_4_is_less : boolean;
+    variable slice1winner1_of_pair_0_6_is_less, slice1winner1_of_pair_0_8_is_less : boolean;
+    variable slice1winner1_of_pair_0_10_is_less, slice1winner1_of_pair_0_12_is_less : boolean;
+    variable slice1winner1_of_pair_0_14_is_less, slice1winner1_of_four_0_0_is_less : boolean;
+    variable slice1winner1_of_four_0_4_is_less, slice1winner1_of_four_0_8_is_less : boolean;
+    variable slice1winner1_of_four_0_12_is_less, slice1winner2_of_pair_0_0_is_less : boolean;
+    variable slice1winner2_of_pair_0_2_is_less, slice1winner2_of_four_0_0_is_less : boolean;
+    variable slice1winner3_best_cost_0_0_is_less : boolean;
     variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 4095;
     variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 4095;
@@ -938,7 +948,7 @@ begin
       delay_tag_first_cost_is_equal := raster_place_column = 33;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65527) mod 65536) < 270;
+      delay_row_inside_0 <= (raster_place_group >= 9) and (raster_place_group < 279);
       delay_row_inside_1 <= raster_place_group < 270;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
@@ -948,7 +958,7 @@ begin
       delay_tag_leaves_window <= (((((raster_place_column / 2) + 32747) mod 32768) * 2) + (raster_place_column mod 2))
         < 65498;
       delay_tag_output_column <= ((((((raster_place_group / 4) + 16383) mod 16384) * 4) + (raster_place_group mod 4)) <
-        270) and (((raster_place_column + 65503) mod 65536) < 236);
+        270) and (raster_place_column >= 33) and (raster_place_column < 269);
       delay_tag_start_of_frame <= (raster_place_group = 4) and delay_tag_first_cost_is_equal;
       delay_tag_end_of_line <= raster_place_column = 268;
       -- rows
@@ -1491,122 +1501,173 @@ begin
         slice0window_sum_0_16 <= (slice0window_sum_0_16_choice + slice0window_change_0_16) mod 32768;
       end if;
       if slice0window_tag_valid then
+        slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
         slice0window_tag_output_column <= slice1window_centre_output_column_2;
         slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_2;
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_2;
       end if;
       -- slice0winner1
-      slice0winner1_best_cost_0_0_is_less := slice0window_sum_0_1 < slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1_is_less := slice0window_sum_0_3 < slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2_is_less := slice0window_sum_0_5 < slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3_is_less := slice0window_sum_0_7 < slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4_is_less := slice0window_sum_0_9 < slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5_is_less := slice0window_sum_0_11 < slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6_is_less := slice0window_sum_0_13 < slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7_is_less := slice0window_sum_0_15 < slice0window_sum_0_14;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
-      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 16;
-      slice0winner1_tag_valid <= slice0window_tag_valid;
-      slice0winner1_tag_output_column <= slice0window_tag_output_column;
-      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
-      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_of_pair_0_2_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_of_pair_0_4_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_of_pair_0_6_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
+      slice0winner1_of_pair_0_8_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
+      slice0winner1_of_pair_0_10_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
+      slice0winner1_of_pair_0_12_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
+      slice0winner1_of_pair_0_14_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
+      slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
+      slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_5, 15))))) < 0;
+      slice0winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_10, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_8, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_9, 15))))) < 0;
+      slice0winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_14, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_12, 15)) or
+        (to_unsigned(slice0winner1_of_pair_0_13, 15))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
+      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
+      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
+      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
+      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
+      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
+      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
+      slice0winner1_of_pair_0_8 <= 0 when slice0winner1_of_pair_0_8_is_less else slice0window_sum_0_8;
+      slice0winner1_of_pair_0_9 <= slice0window_sum_0_9 when slice0winner1_of_pair_0_8_is_less else 0;
+      slice0winner1_of_pair_0_10 <= 0 when slice0winner1_of_pair_0_10_is_less else slice0window_sum_0_10;
+      slice0winner1_of_pair_0_11 <= slice0window_sum_0_11 when slice0winner1_of_pair_0_10_is_less else 0;
+      slice0winner1_of_pair_0_12 <= 0 when slice0winner1_of_pair_0_12_is_less else slice0window_sum_0_12;
+      slice0winner1_of_pair_0_13 <= slice0window_sum_0_13 when slice0winner1_of_pair_0_12_is_less else 0;
+      slice0winner1_of_pair_0_14 <= 0 when slice0winner1_of_pair_0_14_is_less else slice0window_sum_0_14;
+      slice0winner1_of_pair_0_15 <= slice0window_sum_0_15 when slice0winner1_of_pair_0_14_is_less else 0;
+      slice0winner1_of_pair_0_16 <= slice0window_sum_0_16;
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
+      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
+      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
+      slice0winner1_pair_index_0_4 <= 9 when slice0winner1_of_pair_0_8_is_less else 8;
+      slice0winner1_pair_index_0_5 <= 11 when slice0winner1_of_pair_0_10_is_less else 10;
+      slice0winner1_pair_index_0_6 <= 13 when slice0winner1_of_pair_0_12_is_less else 12;
+      slice0winner1_pair_index_0_7 <= 15 when slice0winner1_of_pair_0_14_is_less else 14;
+      slice0winner1_pair_index_0_8 <= 16;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
+      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
+      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
+      slice0winner1_of_four_0_8 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_8;
+      slice0winner1_of_four_0_9 <= 0 when slice0winner1_of_four_0_8_is_less else slice0winner1_of_pair_0_9;
+      slice0winner1_of_four_0_10 <= slice0winner1_of_pair_0_10 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_11 <= slice0winner1_of_pair_0_11 when slice0winner1_of_four_0_8_is_less else 0;
+      slice0winner1_of_four_0_12 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_12;
+      slice0winner1_of_four_0_13 <= 0 when slice0winner1_of_four_0_12_is_less else slice0winner1_of_pair_0_13;
+      slice0winner1_of_four_0_14 <= slice0winner1_of_pair_0_14 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_15 <= slice0winner1_of_pair_0_15 when slice0winner1_of_four_0_12_is_less else 0;
+      slice0winner1_of_four_0_16 <= slice0winner1_of_pair_0_16;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
+        slice0winner1_pair_index_0_2;
+      slice0winner1_four_index_0_2 <= slice0winner1_pair_index_0_5 when slice0winner1_of_four_0_8_is_less else
+        slice0winner1_pair_index_0_4;
+      slice0winner1_four_index_0_3 <= slice0winner1_pair_index_0_7 when slice0winner1_of_four_0_12_is_less else
+        slice0winner1_pair_index_0_6;
+      slice0winner1_four_index_0_4 <= slice0winner1_pair_index_0_8;
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_3, 15)))) or (to_unsigned(slice0winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_0, 15))));
+      slice0winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_7, 15)))) or (to_unsigned(slice0winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_4, 15))));
+      slice0winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_10, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_11, 15)))) or (to_unsigned(slice0winner1_of_four_0_9, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_8, 15))));
+      slice0winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice0winner1_of_four_0_14, 15)) or
+        (to_unsigned(slice0winner1_of_four_0_15, 15)))) or (to_unsigned(slice0winner1_of_four_0_13, 15)))) or
+        (to_unsigned(slice0winner1_of_four_0_12, 15))));
+      slice0winner1_best_cost_0_4 <= slice0winner1_of_four_0_16;
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_0_1 <= slice0winner1_four_index_0_1;
+      slice0winner1_best_index_0_2 <= slice0winner1_four_index_0_2;
+      slice0winner1_best_index_0_3 <= slice0winner1_four_index_0_3;
+      slice0winner1_best_index_0_4 <= slice0winner1_four_index_0_4;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
       -- slice0winner2
-      slice0winner2_best_cost_0_0_is_less := slice0winner1_best_cost_0_1 < slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1_is_less := slice0winner1_best_cost_0_3 < slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2_is_less := slice0winner1_best_cost_0_5 < slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3_is_less := slice0winner1_best_cost_0_7 < slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
+      slice0winner2_of_pair_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_of_pair_0_2_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
+      slice0winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner2_of_pair_0_2, 15)) or
+        (to_unsigned(slice0winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice0winner2_of_pair_0_0, 15)) or
+        (to_unsigned(slice0winner2_of_pair_0_1, 15))))) < 0;
+      slice0winner2_of_pair_0_0 <= 0 when slice0winner2_of_pair_0_0_is_less else slice0winner1_best_cost_0_0;
+      slice0winner2_of_pair_0_1 <= slice0winner1_best_cost_0_1 when slice0winner2_of_pair_0_0_is_less else 0;
+      slice0winner2_of_pair_0_2 <= 0 when slice0winner2_of_pair_0_2_is_less else slice0winner1_best_cost_0_2;
+      slice0winner2_of_pair_0_3 <= slice0winner1_best_cost_0_3 when slice0winner2_of_pair_0_2_is_less else 0;
+      slice0winner2_of_pair_0_4 <= slice0winner1_best_cost_0_4;
+      slice0winner2_pair_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_of_pair_0_0_is_less else
+        slice0winner1_best_index_0_0;
+      slice0winner2_pair_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_of_pair_0_2_is_less else
         slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
-      slice0winner2_tag_valid <= slice0winner1_tag_valid;
-      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
-      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
-      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_pair_index_0_2 <= slice0winner1_best_index_0_4;
+      slice0winner2_pair_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_pair_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_pair_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_pair_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      slice0winner2_of_four_0_0 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_0;
+      slice0winner2_of_four_0_1 <= 0 when slice0winner2_of_four_0_0_is_less else slice0winner2_of_pair_0_1;
+      slice0winner2_of_four_0_2 <= slice0winner2_of_pair_0_2 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_3 <= slice0winner2_of_pair_0_3 when slice0winner2_of_four_0_0_is_less else 0;
+      slice0winner2_of_four_0_4 <= slice0winner2_of_pair_0_4;
+      slice0winner2_four_index_0_0 <= slice0winner2_pair_index_0_1 when slice0winner2_of_four_0_0_is_less else
+        slice0winner2_pair_index_0_0;
+      slice0winner2_four_index_0_1 <= slice0winner2_pair_index_0_2;
+      slice0winner2_four_tag_valid <= slice0winner2_pair_tag_valid;
+      slice0winner2_four_tag_output_column <= slice0winner2_pair_tag_output_column;
+      slice0winner2_four_tag_start_of_frame <= slice0winner2_pair_tag_start_of_frame;
+      slice0winner2_four_tag_end_of_line <= slice0winner2_pair_tag_end_of_line;
+      slice0winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice0winner2_of_four_0_2, 15)) or
+        (to_unsigned(slice0winner2_of_four_0_3, 15)))) or (to_unsigned(slice0winner2_of_four_0_1, 15)))) or
+        (to_unsigned(slice0winner2_of_four_0_0, 15))));
+      slice0winner2_best_cost_0_1 <= slice0winner2_of_four_0_4;
+      slice0winner2_best_index_0_0 <= slice0winner2_four_index_0_0;
+      slice0winner2_best_index_0_1 <= slice0winner2_four_index_0_1;
+      slice0winner2_tag_valid <= slice0winner2_four_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner2_four_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner2_four_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner2_four_tag_end_of_line;
       -- slice0winner3
-      slice0winner3_best_cost_0_0_is_less := slice0winner2_best_cost_0_1 < slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1_is_less := slice0winner2_best_cost_0_3 < slice0winner2_best_cost_0_2;
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
       slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
         slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
-      -- slice0winner4
-      slice0winner4_best_cost_0_0_is_less := slice0winner3_best_cost_0_1 < slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
-      slice0winner4_tag_valid <= slice0winner3_tag_valid;
-      slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
-      slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
-      slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
-      -- slice0winner5
-      slice0winner5_best_cost_0_0_is_less := slice0winner4_best_cost_0_1 < slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
-      slice0winner5_tag_valid <= slice0winner4_tag_valid;
-      slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
-      slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
-      slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
       -- slice0
-      slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
-      slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 17;
-      slice0_best_tag_valid <= slice0winner5_tag_valid;
-      slice0_best_tag_output_column <= slice0winner5_tag_output_column;
-      slice0_best_tag_start_of_frame <= slice0winner5_tag_start_of_frame;
-      slice0_best_tag_end_of_line <= slice0winner5_tag_end_of_line;
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 17;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -2023,97 +2084,136 @@ begin
         slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
         slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
         slice1window_centre_output_column_2 <= slice1window_centre_output_column_1;
-        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
-        slice1window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_0;
+        slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
         slice1window_centre_start_of_frame_2 <= slice1window_centre_start_of_frame_1;
         slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
         slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
         slice1window_centre_end_of_line_2 <= slice1window_centre_end_of_line_1;
       end if;
       -- slice1winner1
-      slice1winner1_best_cost_0_0_is_less := slice1window_sum_0_1 < slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1_is_less := slice1window_sum_0_3 < slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2_is_less := slice1window_sum_0_5 < slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3_is_less := slice1window_sum_0_7 < slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4_is_less := slice1window_sum_0_9 < slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5_is_less := slice1window_sum_0_11 < slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6_is_less := slice1window_sum_0_13 < slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7_is_less := slice1window_sum_0_15 < slice1window_sum_0_14;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
-      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_of_pair_0_2_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_of_pair_0_4_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_of_pair_0_6_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
+      slice1winner1_of_pair_0_8_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
+      slice1winner1_of_pair_0_10_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
+      slice1winner1_of_pair_0_12_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
+      slice1winner1_of_pair_0_14_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
+      slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
+      slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_7, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_5, 15))))) < 0;
+      slice1winner1_of_four_0_8_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_10, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_11, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_8, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_9, 15))))) < 0;
+      slice1winner1_of_four_0_12_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_14, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_15, 15)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_12, 15)) or
+        (to_unsigned(slice1winner1_of_pair_0_13, 15))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
+      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
+      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
+      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
+      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
+      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
+      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
+      slice1winner1_of_pair_0_8 <= 0 when slice1winner1_of_pair_0_8_is_less else slice1window_sum_0_8;
+      slice1winner1_of_pair_0_9 <= slice1window_sum_0_9 when slice1winner1_of_pair_0_8_is_less else 0;
+      slice1winner1_of_pair_0_10 <= 0 when slice1winner1_of_pair_0_10_is_less else slice1window_sum_0_10;
+      slice1winner1_of_pair_0_11 <= slice1window_sum_0_11 when slice1winner1_of_pair_0_10_is_less else 0;
+      slice1winner1_of_pair_0_12 <= 0 when slice1winner1_of_pair_0_12_is_less else slice1window_sum_0_12;
+      slice1winner1_of_pair_0_13 <= slice1window_sum_0_13 when slice1winner1_of_pair_0_12_is_less else 0;
+      slice1winner1_of_pair_0_14 <= 0 when slice1winner1_of_pair_0_14_is_less else slice1window_sum_0_14;
+      slice1winner1_of_pair_0_15 <= slice1window_sum_0_15 when slice1winner1_of_pair_0_14_is_less else 0;
+      slice1winner1_of_pair_0_16 <= slice1window_sum_0_16;
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
+      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
+      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
+      slice1winner1_pair_index_0_4 <= 9 when slice1winner1_of_pair_0_8_is_less else 8;
+      slice1winner1_pair_index_0_5 <= 11 when slice1winner1_of_pair_0_10_is_less else 10;
+      slice1winner1_pair_index_0_6 <= 13 when slice1winner1_of_pair_0_12_is_less else 12;
+      slice1winner1_pair_index_0_7 <= 15 when slice1winner1_of_pair_0_14_is_less else 14;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
+      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
+      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
+      slice1winner1_of_four_0_8 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_8;
+      slice1winner1_of_four_0_9 <= 0 when slice1winner1_of_four_0_8_is_less else slice1winner1_of_pair_0_9;
+      slice1winner1_of_four_0_10 <= slice1winner1_of_pair_0_10 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_11 <= slice1winner1_of_pair_0_11 when slice1winner1_of_four_0_8_is_less else 0;
+      slice1winner1_of_four_0_12 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_12;
+      slice1winner1_of_four_0_13 <= 0 when slice1winner1_of_four_0_12_is_less else slice1winner1_of_pair_0_13;
+      slice1winner1_of_four_0_14 <= slice1winner1_of_pair_0_14 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_of_four_0_15 <= slice1winner1_of_pair_0_15 when slice1winner1_of_four_0_12_is_less else 0;
+      slice1winner1_of_four_0_16 <= slice1winner1_of_pair_0_16;
+      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
+        slice1winner1_pair_index_0_2;
+      slice1winner1_four_index_0_2 <= slice1winner1_pair_index_0_5 when slice1winner1_of_four_0_8_is_less else
+        slice1winner1_pair_index_0_4;
+      slice1winner1_four_index_0_3 <= slice1winner1_pair_index_0_7 when slice1winner1_of_four_0_12_is_less else
+        slice1winner1_pair_index_0_6;
+      slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_3, 15)))) or (to_unsigned(slice1winner1_of_four_0_1, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_0, 15))));
+      slice1winner1_best_cost_0_1 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_6, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_7, 15)))) or (to_unsigned(slice1winner1_of_four_0_5, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_4, 15))));
+      slice1winner1_best_cost_0_2 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_10, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_11, 15)))) or (to_unsigned(slice1winner1_of_four_0_9, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_8, 15))));
+      slice1winner1_best_cost_0_3 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_14, 15)) or
+        (to_unsigned(slice1winner1_of_four_0_15, 15)))) or (to_unsigned(slice1winner1_of_four_0_13, 15)))) or
+        (to_unsigned(slice1winner1_of_four_0_12, 15))));
+      slice1winner1_best_cost_0_4 <= slice1winner1_of_four_0_16;
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      slice1winner1_best_index_0_2 <= slice1winner1_four_index_0_2;
+      slice1winner1_best_index_0_3 <= slice1winner1_four_index_0_3;
       -- slice1winner2
-      slice1winner2_best_cost_0_0_is_less := slice1winner1_best_cost_0_1 < slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1_is_less := slice1winner1_best_cost_0_3 < slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2_is_less := slice1winner1_best_cost_0_5 < slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3_is_less := slice1winner1_best_cost_0_7 < slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
+      slice1winner2_of_pair_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_of_pair_0_2_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
+      slice1winner2_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner2_of_pair_0_2, 15)) or
+        (to_unsigned(slice1winner2_of_pair_0_3, 15)))) - to_integer(((to_unsigned(slice1winner2_of_pair_0_0, 15)) or
+        (to_unsigned(slice1winner2_of_pair_0_1, 15))))) < 0;
+      slice1winner2_of_pair_0_0 <= 0 when slice1winner2_of_pair_0_0_is_less else slice1winner1_best_cost_0_0;
+      slice1winner2_of_pair_0_1 <= slice1winner1_best_cost_0_1 when slice1winner2_of_pair_0_0_is_less else 0;
+      slice1winner2_of_pair_0_2 <= 0 when slice1winner2_of_pair_0_2_is_less else slice1winner1_best_cost_0_2;
+      slice1winner2_of_pair_0_3 <= slice1winner1_best_cost_0_3 when slice1winner2_of_pair_0_2_is_less else 0;
+      slice1winner2_of_pair_0_4 <= slice1winner1_best_cost_0_4;
+      slice1winner2_pair_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_of_pair_0_0_is_less else
+        slice1winner1_best_index_0_0;
+      slice1winner2_pair_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_of_pair_0_2_is_less else
         slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
+      slice1winner2_of_four_0_0 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_0;
+      slice1winner2_of_four_0_1 <= 0 when slice1winner2_of_four_0_0_is_less else slice1winner2_of_pair_0_1;
+      slice1winner2_of_four_0_2 <= slice1winner2_of_pair_0_2 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_of_four_0_3 <= slice1winner2_of_pair_0_3 when slice1winner2_of_four_0_0_is_less else 0;
+      slice1winner2_of_four_0_4 <= slice1winner2_of_pair_0_4;
+      slice1winner2_four_index_0_0 <= slice1winner2_pair_index_0_1 when slice1winner2_of_four_0_0_is_less else
+        slice1winner2_pair_index_0_0;
+      slice1winner2_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner2_of_four_0_2, 15)) or
+        (to_unsigned(slice1winner2_of_four_0_3, 15)))) or (to_unsigned(slice1winner2_of_four_0_1, 15)))) or
+        (to_unsigned(slice1winner2_of_four_0_0, 15))));
+      slice1winner2_best_cost_0_1 <= slice1winner2_of_four_0_4;
+      slice1winner2_best_index_0_0 <= slice1winner2_four_index_0_0;
       -- slice1winner3
-      slice1winner3_best_cost_0_0_is_less := slice1winner2_best_cost_0_1 < slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1_is_less := slice1winner2_best_cost_0_3 < slice1winner2_best_cost_0_2;
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+      slice1winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
         slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      -- slice1winner4
-      slice1winner4_best_cost_0_0_is_less := slice1winner3_best_cost_0_1 < slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      -- slice1winner5
-      slice1winner5_best_cost_0_0_is_less := slice1winner4_best_cost_0_1 < slice1winner4_best_cost_0_0;
-      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_cost_0_0;
-      slice1winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice0_best_cost_0_0 < slice1winner5_best_cost_0_0 else
-        slice1winner5_best_index_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0 else
+        slice1winner3_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
@@ -2186,15 +2286,32 @@ begin
         slice0window_change_tag_end_of_line <= false;
         slice0window_centre_output_column_0 <= false;
         slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
         slice0window_tag_end_of_line <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_output_column <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
         slice0winner1_tag_valid <= false;
         slice0winner1_tag_output_column <= false;
         slice0winner1_tag_start_of_frame <= false;
         slice0winner1_tag_end_of_line <= false;
+        slice0winner2_pair_tag_valid <= false;
+        slice0winner2_pair_tag_output_column <= false;
+        slice0winner2_pair_tag_start_of_frame <= false;
+        slice0winner2_pair_tag_end_of_line <= false;
+        slice0winner2_four_tag_valid <= false;
+        slice0winner2_four_tag_output_column <= false;
+        slice0winner2_four_tag_start_of_frame <= false;
+        slice0winner2_four_tag_end_of_line <= false;
         slice0winner2_tag_valid <= false;
         slice0winner2_tag_output_column <= false;
         slice0winner2_tag_start_of_frame <= false;
@@ -2203,14 +2320,6 @@ begin
         slice0winner3_tag_output_column <= false;
         slice0winner3_tag_start_of_frame <= false;
         slice0winner3_tag_end_of_line <= false;
-        slice0winner4_tag_valid <= false;
-        slice0winner4_tag_output_column <= false;
-        slice0winner4_tag_start_of_frame <= false;
-        slice0winner4_tag_end_of_line <= false;
-        slice0winner5_tag_valid <= false;
-        slice0winner5_tag_output_column <= false;
-        slice0winner5_tag_start_of_frame <= false;
-        slice0winner5_tag_end_of_line <= false;
         slice0_best_tag_valid <= false;
         slice0_best_tag_output_column <= false;
         slice0_best_tag_start_of_frame <= false;
@@ -2224,7 +2333,6 @@ begin
         slice1window_centre_output_column_0 <= false;
         slice1window_centre_output_column_1 <= false;
         slice1window_centre_output_column_2 <= false;
-        slice1window_centre_start_of_frame_0 <= false;
         slice1window_centre_start_of_frame_1 <= false;
         slice1window_centre_start_of_frame_2 <= false;
         slice1window_centre_end_of_line_0 <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 236,
-      latency_clocks => 20,
+      latency_clocks => 22,
       flush_groups => 1083,
       gap_groups => 1080,
-      core_id => x"d4db6672",
+      core_id => x"47378c54",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 236,
-      latency_clocks => 20,
+      latency_clocks => 22,
       flush_groups => 1083,
       gap_groups => 1080)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 387,
-      latency_clocks => 41,
+      latency_clocks => 49,
       flush_groups => 2708,
       gap_groups => 0,
-      core_id => x"6b8e095f",
+      core_id => x"76bde163",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 387,
-      latency_clocks => 41,
+      latency_clocks => 49,
       flush_groups => 2708,
       gap_groups => 0)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_above: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pairs a clock.
+-- Stereo core, semi global, configuration tiny_sgm_above: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, path_left false, path_right false, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_above
@@ -17,7 +17,7 @@ entity stereo_core_tiny_sgm_above is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 28;
+    latency_clocks : positive := 31;
     flush_groups : positive := 131;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_above: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_sgm_above: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_sgm_above: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 28 report "stereo_core_tiny_sgm_above: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
+  assert latency_clocks = 31 report "stereo_core_tiny_sgm_above: latency_clocks is " & integer'image(latency_clocks) & " but this core has 31" severity failure;
   assert flush_groups = 131 report "stereo_core_tiny_sgm_above: flush_groups is " & integer'image(flush_groups) & " but this core has 131" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_sgm_above: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_sgm_above is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_sgm_above is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -137,10 +135,10 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
   signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
   signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -150,7 +148,7 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -259,14 +257,21 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
   -- slice0window
@@ -364,6 +369,10 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
   signal slice1cost_tag_border_column : boolean;
@@ -408,6 +417,8 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -489,34 +500,41 @@ architecture rtl of stereo_core_tiny_sgm_above is
   signal sums_tags_held_8_output_column, sums_tags_held_8_start_of_frame, sums_tags_held_8_end_of_line : boolean;
   signal sums_tags_moved : boolean;
   -- winnerswinner1
+  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 63;
+  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 63;
+  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_pair_0_8 : natural range 0 to 63;
+  signal winnerswinner1_of_pair_0_9, winnerswinner1_of_pair_0_10, winnerswinner1_of_pair_0_11 : natural range 0 to 63;
+  signal winnerswinner1_of_four_0_0, winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2 : natural range 0 to 63;
+  signal winnerswinner1_of_four_0_3, winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5 : natural range 0 to 63;
+  signal winnerswinner1_of_four_0_6, winnerswinner1_of_four_0_7, winnerswinner1_of_four_0_8 : natural range 0 to 63;
+  signal winnerswinner1_of_four_0_9, winnerswinner1_of_four_0_10, winnerswinner1_of_four_0_11 : natural range 0 to 63;
   signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 63;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 63;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 63;
-  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_output_column : boolean;
-  signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  signal winnerswinner1_best_cost_0_2 : natural range 0 to 63;
+  signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_output_column : boolean;
+  signal winnerswinner1_pair_tag_start_of_frame, winnerswinner1_pair_tag_end_of_line : boolean;
+  signal winnerswinner1_four_tag_valid, winnerswinner1_four_tag_output_column : boolean;
+  signal winnerswinner1_four_tag_start_of_frame, winnerswinner1_four_tag_end_of_line : boolean;
+  signal winnerswinner1_tag_valid, winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame : boolean;
+  signal winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_pair_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 63;
-  signal winnerswinner2_best_cost_0_2 : natural range 0 to 63;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_of_pair_0_0, winnerswinner2_of_pair_0_1, winnerswinner2_of_pair_0_2 : natural range 0 to 63;
+  signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
+  signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_pair_tag_valid, winnerswinner2_pair_tag_output_column : boolean;
+  signal winnerswinner2_pair_tag_start_of_frame, winnerswinner2_pair_tag_end_of_line : boolean;
+  signal winnerswinner2_four_tag_valid, winnerswinner2_four_tag_output_column : boolean;
+  signal winnerswinner2_four_tag_start_of_frame, winnerswinner2_four_tag_end_of_line : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_output_column, winnerswinner2_tag_start_of_frame : boolean;
   signal winnerswinner2_tag_end_of_line : boolean;
-  -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 63;
-  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
-  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
-  signal winnerswinner3_tag_valid, winnerswinner3_tag_output_column, winnerswinner3_tag_start_of_frame : boolean;
-  signal winnerswinner3_tag_end_of_line : boolean;
-  -- winnerswinner4
-  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
-  signal winnerswinner4_tag_valid, winnerswinner4_tag_output_column, winnerswinner4_tag_start_of_frame : boolean;
-  signal winnerswinner4_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
   signal winners_best_tag_valid, winners_best_tag_output_column, winners_best_tag_start_of_frame : boolean;
@@ -644,10 +662,6 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal_3, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
     variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
     variable transform_read_column_inside_1_choice, transform_read_column_inside_1_differs : boolean;
     variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
@@ -856,643 +870,167 @@ begin
     variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
     variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice, delay_row_inside_1_is_less : boolean;
-    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4 : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_4, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice, slice0cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_4, slice0cost_pixels_first_1_0_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_4, slice0cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_5, slice0cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_3, slice0cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_2, slice0cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_6, slice0cost_pixels_first_1_0_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_4, slice0cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_5, slice0cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_2, slice0cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_6, slice0cost_pixels_first_1_0_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_4, slice0cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_5, slice0cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_2, slice0cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_4, slice0cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice, slice0cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice, slice0cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_3, slice0cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice_2, slice0cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_2, slice0cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice, slice0cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_3, slice0cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_2, slice0cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice, slice0cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_3, slice0cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_2, slice0cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice, slice0cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice, slice0cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_3, slice0cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice_2, slice0cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_2, slice0cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice, slice0cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_3, slice0cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_2, slice0cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice, slice0cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_3, slice0cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_2, slice0cost_pixels_first_1_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_0_choice, slice0cost_pixels_first_1_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice, slice0cost_pixels_first_1_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice_3, slice0cost_pixels_first_1_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_2_choice_2, slice0cost_pixels_first_1_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice_2, slice0cost_pixels_first_1_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice, slice0cost_pixels_first_1_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice_3, slice0cost_pixels_first_1_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice_2, slice0cost_pixels_first_1_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice, slice0cost_pixels_first_1_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice_3, slice0cost_pixels_first_1_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice_2, slice0cost_pixels_first_1_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_0_choice, slice0cost_pixels_first_1_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice, slice0cost_pixels_first_1_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice_3, slice0cost_pixels_first_1_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_2_choice_2, slice0cost_pixels_first_1_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice_2, slice0cost_pixels_first_1_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice, slice0cost_pixels_first_1_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice_3, slice0cost_pixels_first_1_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice_2, slice0cost_pixels_first_1_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice, slice0cost_pixels_first_1_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice_3, slice0cost_pixels_first_1_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice_2, slice0cost_pixels_first_1_4_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice, slice0cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_4, slice0cost_pixels_first_2_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_4, slice0cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_5, slice0cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_3, slice0cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_2, slice0cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_6, slice0cost_pixels_first_2_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_4, slice0cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_5, slice0cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_2, slice0cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_6, slice0cost_pixels_first_2_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_4, slice0cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_5, slice0cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_2, slice0cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_4, slice0cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice, slice0cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice, slice0cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_3, slice0cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice_2, slice0cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_2, slice0cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice, slice0cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_3, slice0cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_2, slice0cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice, slice0cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_3, slice0cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_2, slice0cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice, slice0cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice, slice0cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_3, slice0cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice_2, slice0cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_2, slice0cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice, slice0cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_3, slice0cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_2, slice0cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice, slice0cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_3, slice0cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_2, slice0cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_0_choice, slice0cost_pixels_first_2_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice, slice0cost_pixels_first_2_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice_3, slice0cost_pixels_first_2_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_2_choice_2, slice0cost_pixels_first_2_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice_2, slice0cost_pixels_first_2_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice, slice0cost_pixels_first_2_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice_3, slice0cost_pixels_first_2_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice_2, slice0cost_pixels_first_2_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice, slice0cost_pixels_first_2_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice_3, slice0cost_pixels_first_2_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice_2, slice0cost_pixels_first_2_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_0_choice, slice0cost_pixels_first_2_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice, slice0cost_pixels_first_2_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice_3, slice0cost_pixels_first_2_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_2_choice_2, slice0cost_pixels_first_2_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice_2, slice0cost_pixels_first_2_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice, slice0cost_pixels_first_2_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice_3, slice0cost_pixels_first_2_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice_2, slice0cost_pixels_first_2_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice, slice0cost_pixels_first_2_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice_3, slice0cost_pixels_first_2_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice_2, slice0cost_pixels_first_2_4_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice, slice1cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_4, slice1cost_pixels_first_0_0_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_4, slice1cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_5, slice1cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_3, slice1cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_2, slice1cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_6, slice1cost_pixels_first_0_0_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_4, slice1cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_5, slice1cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_2, slice1cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_6, slice1cost_pixels_first_0_0_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_4, slice1cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_5, slice1cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_2, slice1cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_4, slice1cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice, slice1cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice, slice1cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_3, slice1cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice_2, slice1cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_2, slice1cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice, slice1cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_3, slice1cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_2, slice1cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice, slice1cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_3, slice1cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_2, slice1cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice, slice1cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice, slice1cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_3, slice1cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice_2, slice1cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_2, slice1cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice, slice1cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_3, slice1cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_2, slice1cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice, slice1cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_3, slice1cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_2, slice1cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice, slice1cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice, slice1cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_3, slice1cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice_2, slice1cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_2, slice1cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice, slice1cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_3, slice1cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_2, slice1cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice, slice1cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_3, slice1cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_2, slice1cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice, slice1cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice, slice1cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_3, slice1cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice_2, slice1cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_2, slice1cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice, slice1cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_3, slice1cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_2, slice1cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice, slice1cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_3, slice1cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_2, slice1cost_pixels_first_0_4_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_choice, slice1cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_4, slice1cost_pixels_first_1_0_count_0_choice_2 : boolean;
     variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_4, slice1cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_5, slice1cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_3, slice1cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_choice_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice_2, slice1cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_6, slice1cost_pixels_first_1_0_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
     variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice, slice1cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_4, slice1cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_5, slice1cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_3, slice1cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice_2, slice1cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_6, slice1cost_pixels_first_1_0_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
     variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice, slice1cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_4, slice1cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_5, slice1cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice_2, slice1cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_4, slice1cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_0_choice, slice1cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice, slice1cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice_3, slice1cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_2_choice_2, slice1cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice_2, slice1cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice, slice1cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice_3, slice1cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice_2, slice1cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice, slice1cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice_3, slice1cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice_2, slice1cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_0_choice, slice1cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice, slice1cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice_3, slice1cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_2_choice_2, slice1cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice_2, slice1cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice, slice1cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice_3, slice1cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice_2, slice1cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice, slice1cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice_3, slice1cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice_2, slice1cost_pixels_first_1_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_0_choice, slice1cost_pixels_first_1_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice, slice1cost_pixels_first_1_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice_3, slice1cost_pixels_first_1_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_2_choice_2, slice1cost_pixels_first_1_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice_2, slice1cost_pixels_first_1_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice, slice1cost_pixels_first_1_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice_3, slice1cost_pixels_first_1_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice_2, slice1cost_pixels_first_1_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice, slice1cost_pixels_first_1_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice_3, slice1cost_pixels_first_1_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice_2, slice1cost_pixels_first_1_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_0_choice, slice1cost_pixels_first_1_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice, slice1cost_pixels_first_1_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice_3, slice1cost_pixels_first_1_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_2_choice_2, slice1cost_pixels_first_1_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice_2, slice1cost_pixels_first_1_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice, slice1cost_pixels_first_1_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice_3, slice1cost_pixels_first_1_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice_2, slice1cost_pixels_first_1_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice, slice1cost_pixels_first_1_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice_3, slice1cost_pixels_first_1_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice_2, slice1cost_pixels_first_1_4_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value, slice1cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_choice, slice1cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_4, slice1cost_pixels_first_2_0_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value, slice1cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_4, slice1cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_5, slice1cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice_3, slice1cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_2, slice1cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_3, slice1cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_choice_2, slice1cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_2, slice1cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice_2, slice1cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_6, slice1cost_pixels_first_2_0_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value, slice1cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_4, slice1cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_5, slice1cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice_3, slice1cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_2, slice1cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice_2, slice1cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_6, slice1cost_pixels_first_2_0_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value, slice1cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_4, slice1cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_5, slice1cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice_3, slice1cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice_2, slice1cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_4, slice1cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_0_choice, slice1cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice, slice1cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice_3, slice1cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_2_choice_2, slice1cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice_2, slice1cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice, slice1cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice_3, slice1cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice_2, slice1cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice, slice1cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice_3, slice1cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice_2, slice1cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_0_choice, slice1cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice, slice1cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice_3, slice1cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_2_choice_2, slice1cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice_2, slice1cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice, slice1cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice_3, slice1cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice_2, slice1cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice, slice1cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice_3, slice1cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice_2, slice1cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_0_choice, slice1cost_pixels_first_2_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice, slice1cost_pixels_first_2_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice_3, slice1cost_pixels_first_2_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_2_choice_2, slice1cost_pixels_first_2_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice_2, slice1cost_pixels_first_2_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice, slice1cost_pixels_first_2_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice_3, slice1cost_pixels_first_2_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice_2, slice1cost_pixels_first_2_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice, slice1cost_pixels_first_2_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice_3, slice1cost_pixels_first_2_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice_2, slice1cost_pixels_first_2_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_0_choice, slice1cost_pixels_first_2_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice, slice1cost_pixels_first_2_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice_3, slice1cost_pixels_first_2_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_2_choice_2, slice1cost_pixels_first_2_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice_2, slice1cost_pixels_first_2_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice, slice1cost_pixels_first_2_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice_3, slice1cost_pixels_first_2_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice_2, slice1cost_pixels_first_2_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice, slice1cost_pixels_first_2_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice_3, slice1cost_pixels_first_2_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice_2, slice1cost_pixels_first_2_4_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_7_value, slice1cost_pixels_first_2_0_count_7_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice, slice2cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_4, slice2cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_4, slice2cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_5, slice2cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_3, slice2cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_2, slice2cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_6, slice2cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_4, slice2cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_5, slice2cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_2, slice2cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_6, slice2cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_4, slice2cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_5, slice2cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_2, slice2cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_4, slice2cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice, slice2cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice, slice2cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_3, slice2cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice_2, slice2cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_2, slice2cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice, slice2cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_3, slice2cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_2, slice2cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice, slice2cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_3, slice2cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_2, slice2cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value, slice2cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_choice, slice2cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_4, slice2cost_pixels_first_1_0_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value, slice2cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_4, slice2cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_5, slice2cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_3, slice2cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_choice_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice_2, slice2cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_6, slice2cost_pixels_first_1_0_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value, slice2cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_4, slice2cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_5, slice2cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice_3, slice2cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_2, slice2cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice_2, slice2cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_6, slice2cost_pixels_first_1_0_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value, slice2cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_4, slice2cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_5, slice2cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice_3, slice2cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_2, slice2cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice_2, slice2cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_4, slice2cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_0_choice, slice2cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice, slice2cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice_3, slice2cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_2_choice_2, slice2cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice_2, slice2cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice, slice2cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice_3, slice2cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice_2, slice2cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice, slice2cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice_3, slice2cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice_2, slice2cost_pixels_first_1_1_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_choice, slice2cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_4, slice2cost_pixels_first_2_0_count_0_choice_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_4, slice2cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_5, slice2cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_3, slice2cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_choice_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice_2, slice2cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_6, slice2cost_pixels_first_2_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice, slice2cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_4, slice2cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_5, slice2cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice_2, slice2cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_6, slice2cost_pixels_first_2_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_4, slice2cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_5, slice2cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, slice2cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice_2, slice2cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_4, slice2cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_0_choice, slice2cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice, slice2cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice_3, slice2cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_2_choice_2, slice2cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice_2, slice2cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice, slice2cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice_3, slice2cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice_2, slice2cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice, slice2cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice_3, slice2cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice_2, slice2cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable entry_next_column_all, forward_above_write_words_0_all, winnerswinner1_best_index_0_0_choice : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_2 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_1_choice : boolean;
-    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_3 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_3_choice : boolean;
-    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_3 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_5_choice : boolean;
-    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_2 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_3 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_1_choice : boolean;
-    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
-    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_next_column_all : boolean;
+    variable forward_above_write_words_0_all, winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_8_choice : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_value : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_four_0_0_choice : boolean;
+    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_8_choice : boolean;
+    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
+    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value_8, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5 : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -1524,24 +1062,10 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_choice := 3 when transform_counter_group_all else 0;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when raster_features_start_of_frame and transform_counter_group_is_equal_3
+      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
         else (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
         transform_counter_group_is_equal and in_valid else transform_counter_group;
-      transform_counter_next_frame_is_equal := (raster_place_group / 2) = 6;
-      transform_counter_next_frame_is_equal_2 := raster_place_column = 39;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
-        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_is_equal_3 := raster_place_group = 11;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2;
-      transform_counter_next_frame_choice_3 := transform_filtered_valid when transform_counter_next_frame_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      transform_counter_next_frame_choice_4 := transform_counter_next_frame_choice_3 when
-        transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid and transform_filtered_start_of_frame;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
       transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
@@ -1812,9 +1336,9 @@ begin
       transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
         (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2120,7 +1644,7 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
           (as_number(transform_left_filter_feature_0_choice_176) * 4) +
@@ -2129,7 +1653,7 @@ begin
       else
         transform_left_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) +
           (as_number(transform_left_filter_feature_0_choice_136) * 128) +
@@ -2138,14 +1662,14 @@ begin
       else
         transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
       else
         transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
@@ -2415,9 +1939,9 @@ begin
       transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
         (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -2723,7 +2247,7 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
           (as_number(transform_right_filter_feature_0_choice_176) * 4) +
@@ -2732,7 +2256,7 @@ begin
       else
         transform_right_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) +
           (as_number(transform_right_filter_feature_0_choice_136) * 128) +
@@ -2741,14 +2265,14 @@ begin
       else
         transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
       else
         transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
@@ -2764,8 +2288,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
-      transform_counter_next_frame <= transform_counter_next_frame_choice_4 or ((not transform_filtered_valid) and
-        transform_counter_next_frame);
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2775,10 +2297,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
@@ -2788,8 +2310,8 @@ begin
       transform_read_column_inside_2 <= true;
       transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
         transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
-      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal_2 when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -2832,25 +2354,30 @@ begin
         (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_left_filter_feature_0_choice_196;
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
         (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
         (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_right_filter_feature_0_choice_196;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2912,28 +2439,36 @@ begin
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := transform_counter_next_frame_is_equal_2 and transform_filtered_valid and (not
-        ((raster_place_group mod 2) = 1)) when transform_counter_next_frame_is_equal else
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 12) else
+      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equal_2 := raster_place_column = 39;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := transform_counter_group_all when in_start_of_frame else
-        raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          raster_features_start_of_frame_choice;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
@@ -2941,22 +2476,25 @@ begin
         delay_ring_read_address <= 0 when delay_ring_read_address = 11 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_less and delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= transform_counter_next_frame_is_equal_2;
+      delay_tag_end_of_line <= raster_place_group_is_equal_2;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -3041,1151 +2579,548 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := ((slice0shift_search_0_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := ((slice0shift_search_0_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_search_0_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not ((slice0shift_search_0_0 / 8388608) = 1) when
-        (slice0shift_reference_0 / 8388608) = 1 else (slice0shift_search_0_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := ((slice0shift_search_0_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_1 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_2 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_3 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_3 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_3 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_3 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_3 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_3 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_3 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_3 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_3 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_4 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_4 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_4 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_4 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_4 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_4 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_4 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_4 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_4 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := ((slice0shift_search_1_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := ((slice0shift_search_1_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_search_1_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not ((slice0shift_search_1_0 / 8388608) = 1) when
-        (slice0shift_reference_1 / 8388608) = 1 else (slice0shift_search_1_0 / 8388608) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := ((slice0shift_search_1_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_1 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_2 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_3_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_3 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_3_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_3 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_3 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_3_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_3 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_3 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_3_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_3 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_3_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_3 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_3 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_3_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_3_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_3_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_3_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_3_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_3_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_3_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_3_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_3_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_3_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_3_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_3_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_3 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_3_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_4_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_4 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_4_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_4 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_4 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_4_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_4 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_4 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_4_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_4 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_4_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_4 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_4 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_4_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_4_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_4_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_4_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_4_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_4_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_4_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_4_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_4_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_4_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_4_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_4_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_4 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_4_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := ((slice0shift_search_2_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := ((slice0shift_search_2_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_search_2_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not ((slice0shift_search_2_0 / 8388608) = 1) when
-        (slice0shift_reference_2 / 8388608) = 1 else (slice0shift_search_2_0 / 8388608) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_3 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := ((slice0shift_search_2_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_1 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_2 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_3_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_3 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_3_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_3 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_3 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_3_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_3 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_3 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_3_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_3 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_3_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_3 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_3 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_3_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_3_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_3_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_3_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_3_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_3_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_3_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_3_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_3_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_3_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_3_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_3_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_3 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_3_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_4_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_4 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_4_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_4 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_4 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_4_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_4 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_4 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_4_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_4 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_4_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_4 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_4 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_4_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_4_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_4_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_4_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_4_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_4_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_4_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_4_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_4_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_4_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_4_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_4_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_4 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_4_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_0_choice_2);
-      slice0cost_pixels_first_1_3_count_1 <= as_number(slice0cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_3_count_2_choice) + as_number(slice0cost_pixels_first_1_3_count_2_choice_2);
-      slice0cost_pixels_first_1_3_count_3 <= as_number(slice0cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_3);
-      slice0cost_pixels_first_1_3_count_4 <= as_number(slice0cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_3);
-      slice0cost_pixels_first_1_3_count_5 <= as_number(slice0cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_3);
-      slice0cost_pixels_first_1_3_count_6 <= as_number(slice0cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_3);
-      slice0cost_pixels_first_1_3_count_7 <= as_number(slice0cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_0_choice_2);
-      slice0cost_pixels_first_1_4_count_1 <= as_number(slice0cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_4_count_2_choice) + as_number(slice0cost_pixels_first_1_4_count_2_choice_2);
-      slice0cost_pixels_first_1_4_count_3 <= as_number(slice0cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_3);
-      slice0cost_pixels_first_1_4_count_4 <= as_number(slice0cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_3);
-      slice0cost_pixels_first_1_4_count_5 <= as_number(slice0cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_3);
-      slice0cost_pixels_first_1_4_count_6 <= as_number(slice0cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_3);
-      slice0cost_pixels_first_1_4_count_7 <= as_number(slice0cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_0_choice_2);
-      slice0cost_pixels_first_2_3_count_1 <= as_number(slice0cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_3_count_2_choice) + as_number(slice0cost_pixels_first_2_3_count_2_choice_2);
-      slice0cost_pixels_first_2_3_count_3 <= as_number(slice0cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_3);
-      slice0cost_pixels_first_2_3_count_4 <= as_number(slice0cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_3);
-      slice0cost_pixels_first_2_3_count_5 <= as_number(slice0cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_3);
-      slice0cost_pixels_first_2_3_count_6 <= as_number(slice0cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_3);
-      slice0cost_pixels_first_2_3_count_7 <= as_number(slice0cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_0_choice_2);
-      slice0cost_pixels_first_2_4_count_1 <= as_number(slice0cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_4_count_2_choice) + as_number(slice0cost_pixels_first_2_4_count_2_choice_2);
-      slice0cost_pixels_first_2_4_count_3 <= as_number(slice0cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_3);
-      slice0cost_pixels_first_2_4_count_4 <= as_number(slice0cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_3);
-      slice0cost_pixels_first_2_4_count_5 <= as_number(slice0cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_3);
-      slice0cost_pixels_first_2_4_count_6 <= as_number(slice0cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_3);
-      slice0cost_pixels_first_2_4_count_7 <= as_number(slice0cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4260,23 +3195,40 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_3 +
-        slice0cost_pixels_cost_0_3 + slice0cost_pixels_cost_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_4 +
-        slice0cost_pixels_cost_0_4 + slice0cost_pixels_cost_1_4;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4366,1151 +3318,548 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := ((slice1shift_search_0_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := ((slice1shift_search_0_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_search_0_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not ((slice1shift_search_0_0 / 8388608) = 1) when
-        (slice1shift_reference_0 / 8388608) = 1 else (slice1shift_search_0_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := ((slice1shift_search_0_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_1 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_2 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_3 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_3 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_3 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_3 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_3 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_3 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_3 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_3 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_3 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_4 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_4 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_4 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_4 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_4 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_4 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_4 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_4 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_4 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
-        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
-      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
-        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
-        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
-        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
-      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
-        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
-        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
-      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
-        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
-        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
-        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
-      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
-        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
-        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
-      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
-        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
-      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
-        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
-        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
-      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
-        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
-      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
-        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value_2 when
-        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
-      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_4 := ((slice1shift_search_1_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_4 when
-        slice1cost_pixels_first_1_0_count_6_value_3 else slice1cost_pixels_first_1_0_count_6_value_4;
-      slice1cost_pixels_first_1_0_count_6_value_5 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_6 := ((slice1shift_search_1_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_6 when
-        slice1cost_pixels_first_1_0_count_6_value_5 else slice1cost_pixels_first_1_0_count_6_value_6;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_search_1_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value_2 when
-        slice1cost_pixels_first_1_0_count_7_value else slice1cost_pixels_first_1_0_count_7_value_2;
-      slice1cost_pixels_first_1_0_count_7_choice_2 := not ((slice1shift_search_1_0 / 8388608) = 1) when
-        (slice1shift_reference_1 / 8388608) = 1 else (slice1shift_search_1_0 / 8388608) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_4 := ((slice1shift_search_1_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_4 when
-        slice1cost_pixels_first_1_0_count_7_value_3 else slice1cost_pixels_first_1_0_count_7_value_4;
-      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_1_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_1_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_1_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_1_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_1 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_1_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_2_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_2_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_2_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_2_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_2 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_2_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_3_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_3 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_3_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_3 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_3 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_3_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_3 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_3 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_3_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_3 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_3_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_3 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_3 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_3_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_3_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_3_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_3_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_3_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_3_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_3_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_3_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_3_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_3_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_3_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_3_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_3 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_3_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_4_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_4 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_4_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_4 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_4 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_4_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_4 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_4 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_4_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_4 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_4_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_4 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_4 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_4_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_4_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_4_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_4_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_4_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_4_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_4_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_4_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_4_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_4_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_4_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_4_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_4 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_4_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
-        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
-      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
-        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
-        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
-        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
-      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
-        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
-        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
-      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
-        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
-        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
-        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
-      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
-        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
-        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
-      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
-        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
-      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
-        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
-        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
-      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
-        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
-      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
-        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value_2 when
-        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
-      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_4 := ((slice1shift_search_2_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_4 when
-        slice1cost_pixels_first_2_0_count_6_value_3 else slice1cost_pixels_first_2_0_count_6_value_4;
-      slice1cost_pixels_first_2_0_count_6_value_5 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_6 := ((slice1shift_search_2_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_6 when
-        slice1cost_pixels_first_2_0_count_6_value_5 else slice1cost_pixels_first_2_0_count_6_value_6;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_search_2_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value_2 when
-        slice1cost_pixels_first_2_0_count_7_value else slice1cost_pixels_first_2_0_count_7_value_2;
-      slice1cost_pixels_first_2_0_count_7_choice_2 := not ((slice1shift_search_2_0 / 8388608) = 1) when
-        (slice1shift_reference_2 / 8388608) = 1 else (slice1shift_search_2_0 / 8388608) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_3 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_4 := ((slice1shift_search_2_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_4 when
-        slice1cost_pixels_first_2_0_count_7_value_3 else slice1cost_pixels_first_2_0_count_7_value_4;
-      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_1_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_1_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_1_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_1_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_1 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_1_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_2_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_2_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_2_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_2_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_2 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_2_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_3_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_3 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_3_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_3 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_3 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_3_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_3 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_3 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_3_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_3 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_3_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_3 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_3 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_3_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_3_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_3_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_3_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_3_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_3_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_3_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_3_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_3_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_3_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_3_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_3_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_3 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_3_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_4_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_4 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_4_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_4 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_4 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_4_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_4 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_4 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_4_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_4 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_4_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_4 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_4 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_4_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_4_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_4_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_4_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_4_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_4_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_4_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_4_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_4_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_4_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_4_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_4_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_4 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_4_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
-      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
-      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
-      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
-      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
-      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_3);
-      slice1cost_pixels_first_1_0_count_7 <= as_number(slice1cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
-      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
-      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
-      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
-      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
-      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_3);
-      slice1cost_pixels_first_1_1_count_7 <= as_number(slice1cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
-      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
-      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
-      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
-      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
-      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_3);
-      slice1cost_pixels_first_1_2_count_7 <= as_number(slice1cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_0_choice_2);
-      slice1cost_pixels_first_1_3_count_1 <= as_number(slice1cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_3_count_2_choice) + as_number(slice1cost_pixels_first_1_3_count_2_choice_2);
-      slice1cost_pixels_first_1_3_count_3 <= as_number(slice1cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_3);
-      slice1cost_pixels_first_1_3_count_4 <= as_number(slice1cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_3);
-      slice1cost_pixels_first_1_3_count_5 <= as_number(slice1cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_3);
-      slice1cost_pixels_first_1_3_count_6 <= as_number(slice1cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_3);
-      slice1cost_pixels_first_1_3_count_7 <= as_number(slice1cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_0_choice_2);
-      slice1cost_pixels_first_1_4_count_1 <= as_number(slice1cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_4_count_2_choice) + as_number(slice1cost_pixels_first_1_4_count_2_choice_2);
-      slice1cost_pixels_first_1_4_count_3 <= as_number(slice1cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_3);
-      slice1cost_pixels_first_1_4_count_4 <= as_number(slice1cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_3);
-      slice1cost_pixels_first_1_4_count_5 <= as_number(slice1cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_3);
-      slice1cost_pixels_first_1_4_count_6 <= as_number(slice1cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_3);
-      slice1cost_pixels_first_1_4_count_7 <= as_number(slice1cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
-      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
-      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
-      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
-      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
-      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_3);
-      slice1cost_pixels_first_2_0_count_7 <= as_number(slice1cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
-      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
-      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
-      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
-      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
-      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_3);
-      slice1cost_pixels_first_2_1_count_7 <= as_number(slice1cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
-      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
-      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
-      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
-      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
-      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_3);
-      slice1cost_pixels_first_2_2_count_7 <= as_number(slice1cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_0_choice_2);
-      slice1cost_pixels_first_2_3_count_1 <= as_number(slice1cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_3_count_2_choice) + as_number(slice1cost_pixels_first_2_3_count_2_choice_2);
-      slice1cost_pixels_first_2_3_count_3 <= as_number(slice1cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_3);
-      slice1cost_pixels_first_2_3_count_4 <= as_number(slice1cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_3);
-      slice1cost_pixels_first_2_3_count_5 <= as_number(slice1cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_3);
-      slice1cost_pixels_first_2_3_count_6 <= as_number(slice1cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_3);
-      slice1cost_pixels_first_2_3_count_7 <= as_number(slice1cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_0_choice_2);
-      slice1cost_pixels_first_2_4_count_1 <= as_number(slice1cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_4_count_2_choice) + as_number(slice1cost_pixels_first_2_4_count_2_choice_2);
-      slice1cost_pixels_first_2_4_count_3 <= as_number(slice1cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_3);
-      slice1cost_pixels_first_2_4_count_4 <= as_number(slice1cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_3);
-      slice1cost_pixels_first_2_4_count_5 <= as_number(slice1cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_3);
-      slice1cost_pixels_first_2_4_count_6 <= as_number(slice1cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_3);
-      slice1cost_pixels_first_2_4_count_7 <= as_number(slice1cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
         slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
         + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
@@ -5571,16 +3920,21 @@ begin
         slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
         + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
         slice1cost_pixels_first_2_4_count_1;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_0 +
-        slice1cost_pixels_cost_0_0 + slice1cost_pixels_cost_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_1 +
-        slice1cost_pixels_cost_0_1 + slice1cost_pixels_cost_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_2 +
-        slice1cost_pixels_cost_0_2 + slice1cost_pixels_cost_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_3 +
-        slice1cost_pixels_cost_0_3 + slice1cost_pixels_cost_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_4 +
-        slice1cost_pixels_cost_0_4 + slice1cost_pixels_cost_1_4;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -5625,539 +3979,260 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := ((slice2shift_search_0_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := ((slice2shift_search_0_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_search_0_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not ((slice2shift_search_0_0 / 8388608) = 1) when
-        (slice2shift_reference_0 / 8388608) = 1 else (slice2shift_search_0_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := ((slice2shift_search_0_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        ((slice2shift_search_0_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        ((slice2shift_search_0_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        ((slice2shift_search_0_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not ((slice2shift_reference_0 / 8388608) = 1) when
-        (slice2shift_search_0_1 / 8388608) = 1 else (slice2shift_reference_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        ((slice2shift_search_0_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
-        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
-      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
-        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
-        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
-        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
-      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
-        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
-        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
-      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
-        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
-        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
-        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
-      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
-        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
-        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
-      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
-        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
-      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
-        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
-        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
-      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
-        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
-      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
-        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value_2 when
-        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
-      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_4 := ((slice2shift_search_1_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_4 when
-        slice2cost_pixels_first_1_0_count_6_value_3 else slice2cost_pixels_first_1_0_count_6_value_4;
-      slice2cost_pixels_first_1_0_count_6_value_5 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_6 := ((slice2shift_search_1_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_6 when
-        slice2cost_pixels_first_1_0_count_6_value_5 else slice2cost_pixels_first_1_0_count_6_value_6;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_search_1_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value_2 when
-        slice2cost_pixels_first_1_0_count_7_value else slice2cost_pixels_first_1_0_count_7_value_2;
-      slice2cost_pixels_first_1_0_count_7_choice_2 := not ((slice2shift_search_1_0 / 8388608) = 1) when
-        (slice2shift_reference_1 / 8388608) = 1 else (slice2shift_search_1_0 / 8388608) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_4 := ((slice2shift_search_1_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_4 when
-        slice2cost_pixels_first_1_0_count_7_value_3 else slice2cost_pixels_first_1_0_count_7_value_4;
-      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
-        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
-      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
-        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
-        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
-      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
-        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
-        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
-      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
-        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
-      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
-        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
-        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
-      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
-        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
-        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
-      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
-        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
-      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
-        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
-      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
-        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
-      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
-        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
-      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
-        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
-      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
-        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
-      slice2cost_pixels_first_1_1_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value when
-        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
-      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_3 when
-        ((slice2shift_search_1_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_3;
-      slice2cost_pixels_first_1_1_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_5 when
-        ((slice2shift_search_1_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_5;
-      slice2cost_pixels_first_1_1_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value when
-        ((slice2shift_search_1_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value;
-      slice2cost_pixels_first_1_1_count_7_choice_2 := not ((slice2shift_reference_1 / 8388608) = 1) when
-        (slice2shift_search_1_1 / 8388608) = 1 else (slice2shift_reference_1 / 8388608) = 1;
-      slice2cost_pixels_first_1_1_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_3 when
-        ((slice2shift_search_1_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value_3;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
-        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
-      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
-        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
-        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
-        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
-      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
-        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
-        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
-      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
-        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
-        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
-        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
-      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
-        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
-        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
-      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
-        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
-      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
-        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
-        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
-      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
-        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
-      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
-        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value_2 when
-        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
-      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_4 := ((slice2shift_search_2_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_4 when
-        slice2cost_pixels_first_2_0_count_6_value_3 else slice2cost_pixels_first_2_0_count_6_value_4;
-      slice2cost_pixels_first_2_0_count_6_value_5 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_6 := ((slice2shift_search_2_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_6 when
-        slice2cost_pixels_first_2_0_count_6_value_5 else slice2cost_pixels_first_2_0_count_6_value_6;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_search_2_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value_2 when
-        slice2cost_pixels_first_2_0_count_7_value else slice2cost_pixels_first_2_0_count_7_value_2;
-      slice2cost_pixels_first_2_0_count_7_choice_2 := not ((slice2shift_search_2_0 / 8388608) = 1) when
-        (slice2shift_reference_2 / 8388608) = 1 else (slice2shift_search_2_0 / 8388608) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_3 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_4 := ((slice2shift_search_2_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_4 when
-        slice2cost_pixels_first_2_0_count_7_value_3 else slice2cost_pixels_first_2_0_count_7_value_4;
-      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
-        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
-      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
-        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
-        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
-      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
-        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
-        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
-      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
-        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
-      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
-        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
-        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
-      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
-        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
-        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
-      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
-        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
-      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
-        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
-      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
-        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
-      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
-        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
-      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
-        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
-      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
-        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
-      slice2cost_pixels_first_2_1_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value when
-        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
-      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_3 when
-        ((slice2shift_search_2_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_3;
-      slice2cost_pixels_first_2_1_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_5 when
-        ((slice2shift_search_2_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_5;
-      slice2cost_pixels_first_2_1_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value when
-        ((slice2shift_search_2_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value;
-      slice2cost_pixels_first_2_1_count_7_choice_2 := not ((slice2shift_reference_2 / 8388608) = 1) when
-        (slice2shift_search_2_1 / 8388608) = 1 else (slice2shift_reference_2 / 8388608) = 1;
-      slice2cost_pixels_first_2_1_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_3 when
-        ((slice2shift_search_2_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value_3;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
-      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
-      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
-      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
-      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
-      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_3);
-      slice2cost_pixels_first_1_0_count_7 <= as_number(slice2cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
-      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
       slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
-      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
-      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
-      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
-      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_3);
-      slice2cost_pixels_first_1_1_count_7 <= as_number(slice2cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
-      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
-      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
-      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
-      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
-      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_3);
-      slice2cost_pixels_first_2_0_count_7 <= as_number(slice2cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
-      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
       slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
-      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
-      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
-      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
-      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_3);
-      slice2cost_pixels_first_2_1_count_7 <= as_number(slice2cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
         slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
         + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
@@ -6182,10 +4257,12 @@ begin
         slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
         + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
         slice2cost_pixels_first_2_1_count_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_0 +
-        slice2cost_pixels_cost_0_0 + slice2cost_pixels_cost_1_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_1 +
-        slice2cost_pixels_cost_0_1 + slice2cost_pixels_cost_1_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -6293,30 +4370,30 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
-          forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
-          forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
-          forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
-          forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
-          forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
-          else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
-          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
-          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
-          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
         forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
           forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
         forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
@@ -6344,25 +4421,25 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
           forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
           forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
           forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
@@ -6432,30 +4509,30 @@ begin
         forward_sum_9 <= forward_above_cost_9;
         forward_sum_11 <= forward_above_cost_11;
       end if;
-      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
-        forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
-        else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
-        else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
-        else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
-        else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
-        else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
-        else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
-        else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
-        else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
-        else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
-        else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
-        else forward_above_stay_7;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
       forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
       if forward_above_write_words_0_all then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
@@ -6520,275 +4597,359 @@ begin
         sums_tags_held_8_end_of_line <= sums_tags_held_7_end_of_line;
       end if;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
-        1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
-      winnerswinner1_best_index_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_0_value when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_0_value;
-      winnerswinner1_best_index_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_2 when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_2;
-      winnerswinner1_best_index_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_3;
-      winnerswinner1_best_index_0_1_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) =
-        1)) when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when ((sums_sum_0_2 / 2) mod 2) =
-        1 else ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
-      winnerswinner1_best_index_0_1_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_1_value when winnerswinner1_best_index_0_1_choice_2 else (not (((sums_sum_0_2 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_1_value;
-      winnerswinner1_best_index_0_1_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_2 when winnerswinner1_best_index_0_1_choice_3 else (not (((sums_sum_0_2 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_2;
-      winnerswinner1_best_index_0_1_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_3 when winnerswinner1_best_index_0_1_choice_4 else (not (((sums_sum_0_2 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_3;
-      winnerswinner1_best_index_0_1_choice_6 := ((sums_sum_0_2 / 32) = 1) and (not ((sums_sum_0_3 / 32) = 1)) when
-        winnerswinner1_best_index_0_1_choice_5 else ((sums_sum_0_2 / 32) = 1) or (not ((sums_sum_0_3 / 32) = 1));
-      winnerswinner1_best_index_0_2_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) =
-        1)) when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when ((sums_sum_0_4 / 2) mod 2) =
-        1 else ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
-      winnerswinner1_best_index_0_2_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_2_value when winnerswinner1_best_index_0_2_choice_2 else (not (((sums_sum_0_4 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_2_value;
-      winnerswinner1_best_index_0_2_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_2 when winnerswinner1_best_index_0_2_choice_3 else (not (((sums_sum_0_4 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_2;
-      winnerswinner1_best_index_0_2_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_3 when winnerswinner1_best_index_0_2_choice_4 else (not (((sums_sum_0_4 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_3;
-      winnerswinner1_best_index_0_2_choice_6 := ((sums_sum_0_4 / 32) = 1) and (not ((sums_sum_0_5 / 32) = 1)) when
-        winnerswinner1_best_index_0_2_choice_5 else ((sums_sum_0_4 / 32) = 1) or (not ((sums_sum_0_5 / 32) = 1));
-      winnerswinner1_best_index_0_3_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) =
-        1)) when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when ((sums_sum_0_6 / 2) mod 2) =
-        1 else ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
-      winnerswinner1_best_index_0_3_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_3_value when winnerswinner1_best_index_0_3_choice_2 else (not (((sums_sum_0_6 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_3_value;
-      winnerswinner1_best_index_0_3_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_2 when winnerswinner1_best_index_0_3_choice_3 else (not (((sums_sum_0_6 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_2;
-      winnerswinner1_best_index_0_3_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_3 when winnerswinner1_best_index_0_3_choice_4 else (not (((sums_sum_0_6 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_3;
-      winnerswinner1_best_index_0_3_choice_6 := ((sums_sum_0_6 / 32) = 1) and (not ((sums_sum_0_7 / 32) = 1)) when
-        winnerswinner1_best_index_0_3_choice_5 else ((sums_sum_0_6 / 32) = 1) or (not ((sums_sum_0_7 / 32) = 1));
-      winnerswinner1_best_index_0_4_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) =
-        1)) when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when ((sums_sum_0_8 / 2) mod 2) =
-        1 else ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
-      winnerswinner1_best_index_0_4_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_4_value when winnerswinner1_best_index_0_4_choice_2 else (not (((sums_sum_0_8 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_4_value;
-      winnerswinner1_best_index_0_4_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_2 when winnerswinner1_best_index_0_4_choice_3 else (not (((sums_sum_0_8 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_2;
-      winnerswinner1_best_index_0_4_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_3 when winnerswinner1_best_index_0_4_choice_4 else (not (((sums_sum_0_8 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_3;
-      winnerswinner1_best_index_0_4_choice_6 := ((sums_sum_0_8 / 32) = 1) and (not ((sums_sum_0_9 / 32) = 1)) when
-        winnerswinner1_best_index_0_4_choice_5 else ((sums_sum_0_8 / 32) = 1) or (not ((sums_sum_0_9 / 32) = 1));
-      winnerswinner1_best_index_0_5_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
+        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
+        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      winnerswinner1_of_pair_0_0_choice_6 := ((sums_sum_0_0 / 32) = 1) and (not ((sums_sum_0_1 / 32) = 1)) when
+        winnerswinner1_of_pair_0_0_choice_5 else ((sums_sum_0_0 / 32) = 1) or (not ((sums_sum_0_1 / 32) = 1));
+      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
+        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
+        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      winnerswinner1_of_pair_0_2_choice_6 := ((sums_sum_0_2 / 32) = 1) and (not ((sums_sum_0_3 / 32) = 1)) when
+        winnerswinner1_of_pair_0_2_choice_5 else ((sums_sum_0_2 / 32) = 1) or (not ((sums_sum_0_3 / 32) = 1));
+      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
+        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
+        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_4_value;
+      winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      winnerswinner1_of_pair_0_4_choice_6 := ((sums_sum_0_4 / 32) = 1) and (not ((sums_sum_0_5 / 32) = 1)) when
+        winnerswinner1_of_pair_0_4_choice_5 else ((sums_sum_0_4 / 32) = 1) or (not ((sums_sum_0_5 / 32) = 1));
+      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
+        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
+        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_6_value;
+      winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      winnerswinner1_of_pair_0_6_choice_6 := ((sums_sum_0_6 / 32) = 1) and (not ((sums_sum_0_7 / 32) = 1)) when
+        winnerswinner1_of_pair_0_6_choice_5 else ((sums_sum_0_6 / 32) = 1) or (not ((sums_sum_0_7 / 32) = 1));
+      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
+        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
+        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_8_value;
+      winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      winnerswinner1_of_pair_0_8_choice_6 := ((sums_sum_0_8 / 32) = 1) and (not ((sums_sum_0_9 / 32) = 1)) when
+        winnerswinner1_of_pair_0_8_choice_5 else ((sums_sum_0_8 / 32) = 1) or (not ((sums_sum_0_9 / 32) = 1));
+      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
         1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when ((sums_sum_0_10 / 2) mod 2) =
-        1 else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
-      winnerswinner1_best_index_0_5_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_5_value when winnerswinner1_best_index_0_5_choice_2 else (not (((sums_sum_0_10 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_5_value;
-      winnerswinner1_best_index_0_5_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_2 when winnerswinner1_best_index_0_5_choice_3 else (not (((sums_sum_0_10 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_2;
-      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_3 when winnerswinner1_best_index_0_5_choice_4 else (not (((sums_sum_0_10 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_3;
-      winnerswinner1_best_index_0_5_choice_6 := ((sums_sum_0_10 / 32) = 1) and (not ((sums_sum_0_11 / 32) = 1)) when
-        winnerswinner1_best_index_0_5_choice_5 else ((sums_sum_0_10 / 32) = 1) or (not ((sums_sum_0_11 / 32) = 1));
-      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
-      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
-      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
-      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
-      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
-      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
-      winnerswinner1_best_index_0_0 <= ((sums_sum_0_0 / 32) = 1) and (not ((sums_sum_0_1 / 32) = 1)) when
-        winnerswinner1_best_index_0_0_choice_5 else ((sums_sum_0_0 / 32) = 1) or (not ((sums_sum_0_1 / 32) = 1));
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_6 else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_6 else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_6 else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_6 else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_6 else 10;
-      winnerswinner1_tag_valid <= sums_tag_valid;
-      winnerswinner1_tag_output_column <= sums_tag_output_column;
-      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
-      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
+        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
+        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      winnerswinner1_of_pair_0_10_choice_6 := ((sums_sum_0_10 / 32) = 1) and (not ((sums_sum_0_11 / 32) = 1)) when
+        winnerswinner1_of_pair_0_10_choice_5 else ((sums_sum_0_10 / 32) = 1) or (not ((sums_sum_0_11 / 32) = 1));
+      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
+        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
+        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
+        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      winnerswinner1_of_four_0_0_choice_6 := (not ((not ((winnerswinner1_of_pair_0_1 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_0 / 32) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 / 32) = 1)) when winnerswinner1_of_four_0_0_choice_5 else (not ((not
+        ((winnerswinner1_of_pair_0_1 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 32) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_3 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 32) = 1)));
+      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
+        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
+        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
+        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      winnerswinner1_of_four_0_4_choice_6 := (not ((not ((winnerswinner1_of_pair_0_5 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_4 / 32) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 / 32) = 1)) when winnerswinner1_of_four_0_4_choice_5 else (not ((not
+        ((winnerswinner1_of_pair_0_5 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 32) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_7 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 32) = 1)));
+      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
+        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
+        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
+        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      winnerswinner1_of_four_0_8_choice_6 := (not ((not ((winnerswinner1_of_pair_0_9 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_8 / 32) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 32) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 / 32) = 1)) when winnerswinner1_of_four_0_8_choice_5 else (not ((not
+        ((winnerswinner1_of_pair_0_9 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 32) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_11 / 32) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 32) = 1)));
+      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_6 else sums_sum_0_0;
+      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_6 else 0;
+      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_6 else sums_sum_0_2;
+      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_6 else 0;
+      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_6 else sums_sum_0_4;
+      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_6 else 0;
+      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_6 else sums_sum_0_6;
+      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_6 else 0;
+      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_6 else sums_sum_0_8;
+      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_6 else 0;
+      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_6 else sums_sum_0_10;
+      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_6 else 0;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_6;
+      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_6 else 2;
+      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_6 else 4;
+      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_6 else 6;
+      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_6 else 8;
+      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_6 else 10;
+      winnerswinner1_pair_tag_valid <= sums_tag_valid;
+      winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_6 else winnerswinner1_of_pair_0_0;
+      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_6 else winnerswinner1_of_pair_0_1;
+      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_6 else 0;
+      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_6 else 0;
+      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_6 else winnerswinner1_of_pair_0_4;
+      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_6 else winnerswinner1_of_pair_0_5;
+      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_6 else 0;
+      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_6 else 0;
+      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_6 else winnerswinner1_of_pair_0_8;
+      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_6 else winnerswinner1_of_pair_0_9;
+      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_6 else 0;
+      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_6 else 0;
+      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_6 else
+        as_number(winnerswinner1_pair_index_0_0);
+      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_6 else
+        winnerswinner1_pair_index_0_2;
+      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_6 else
+        winnerswinner1_pair_index_0_4;
+      winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
+      winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
+      winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
+      winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
+      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 6)) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 6)))) or (to_unsigned(winnerswinner1_of_four_0_1, 6)))) or
+        (to_unsigned(winnerswinner1_of_four_0_0, 6))));
+      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 6)) or
+        (to_unsigned(winnerswinner1_of_four_0_7, 6)))) or (to_unsigned(winnerswinner1_of_four_0_5, 6)))) or
+        (to_unsigned(winnerswinner1_of_four_0_4, 6))));
+      winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 6)) or
+        (to_unsigned(winnerswinner1_of_four_0_11, 6)))) or (to_unsigned(winnerswinner1_of_four_0_9, 6)))) or
+        (to_unsigned(winnerswinner1_of_four_0_8, 6))));
+      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
+      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
+      winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
+      winnerswinner1_tag_valid <= winnerswinner1_four_tag_valid;
+      winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
       -- winnerswinner2
-      winnerswinner2_best_index_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_0_choice_2 := winnerswinner2_best_index_0_0_choice when
-        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_1 mod 4) = 0);
-      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
-      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
-      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
-      winnerswinner2_best_index_0_0_choice_6 := ((winnerswinner1_best_cost_0_0 / 32) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 32) = 1)) when winnerswinner2_best_index_0_0_choice_5 else
+      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
+        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      winnerswinner2_of_pair_0_0_choice_6 := ((winnerswinner1_best_cost_0_0 / 32) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 32) = 1)) when winnerswinner2_of_pair_0_0_choice_5 else
         ((winnerswinner1_best_cost_0_0 / 32) = 1) or (not ((winnerswinner1_best_cost_0_1 / 32) = 1));
-      winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice when
-        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_3 mod 4) = 0);
-      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
-        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
-      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
-        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
-      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
-        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
-      winnerswinner2_best_index_0_1_choice_6 := ((winnerswinner1_best_cost_0_2 / 32) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 32) = 1)) when winnerswinner2_best_index_0_1_choice_5 else
-        ((winnerswinner1_best_cost_0_2 / 32) = 1) or (not ((winnerswinner1_best_cost_0_3 / 32) = 1));
-      winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_2_choice_2 := winnerswinner2_best_index_0_2_choice when
-        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_4 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_5 mod 4) = 0);
-      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
-        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
-      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
-        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
-      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
-        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
-      winnerswinner2_best_index_0_2_choice_6 := ((winnerswinner1_best_cost_0_4 / 32) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 32) = 1)) when winnerswinner2_best_index_0_2_choice_5 else
-        ((winnerswinner1_best_cost_0_4 / 32) = 1) or (not ((winnerswinner1_best_cost_0_5 / 32) = 1));
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_6 else
-        as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_6 else
-        winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_6 else
-        winnerswinner1_best_index_0_4;
-      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
-      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
-      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
-      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      -- winnerswinner3
-      winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when (winnerswinner2_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice when
-        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner2_best_cost_0_1 mod 4) = 0);
-      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
-        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
-      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
-        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
-      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
-        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
-      winnerswinner3_best_index_0_0_choice_6 := ((winnerswinner2_best_cost_0_0 / 32) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 32) = 1)) when winnerswinner3_best_index_0_0_choice_5 else
-        ((winnerswinner2_best_cost_0_0 / 32) = 1) or (not ((winnerswinner2_best_cost_0_1 / 32) = 1));
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_6 else
-        winnerswinner2_best_index_0_0;
-      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
-      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
-      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
-      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
-      -- winnerswinner4
-      winnerswinner4_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when (winnerswinner3_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner4_best_index_0_0_choice_2 := winnerswinner4_best_index_0_0_choice when
-        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner3_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner3_best_cost_0_1 mod 4) = 0);
-      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
-        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
-      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
-        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
-      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
-        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
-      winnerswinner4_best_index_0_0_choice_6 := ((winnerswinner3_best_cost_0_0 / 32) = 1) and (not
-        ((winnerswinner3_best_cost_0_1 / 32) = 1)) when winnerswinner4_best_index_0_0_choice_5 else
-        ((winnerswinner3_best_cost_0_0 / 32) = 1) or (not ((winnerswinner3_best_cost_0_1 / 32) = 1));
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_6 else
-        winnerswinner3_best_index_0_0;
-      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
-      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
-      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
-      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
+        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4 when
+        winnerswinner2_four_index_0_0_choice else (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6 when
+        winnerswinner2_four_index_0_0_choice_2 else (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8 when
+        winnerswinner2_four_index_0_0_choice_3 else (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      winnerswinner2_four_index_0_0_choice_5 := (not ((winnerswinner2_of_pair_0_2 / 32) = 1)) or
+        ((winnerswinner2_of_pair_0_1 / 32) = 1) or ((winnerswinner2_of_pair_0_0 / 32) = 1) when
+        winnerswinner2_four_index_0_0_choice_4 else (not ((winnerswinner2_of_pair_0_2 / 32) = 1)) and
+        (((winnerswinner2_of_pair_0_1 / 32) = 1) or ((winnerswinner2_of_pair_0_0 / 32) = 1));
+      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_6 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_6 else 0;
+      winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_6 else
+        winnerswinner1_best_index_0_0;
+      winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
+      winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_5 else
+        winnerswinner2_pair_index_0_0;
+      winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
+      winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
+      winnerswinner2_four_tag_start_of_frame <= winnerswinner2_pair_tag_start_of_frame;
+      winnerswinner2_four_tag_end_of_line <= winnerswinner2_pair_tag_end_of_line;
+      winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
+      winnerswinner2_tag_valid <= winnerswinner2_four_tag_valid;
+      winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
       -- winners
-      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
-      winners_best_tag_valid <= winnerswinner4_tag_valid;
-      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
-      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
-      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner2_tag_valid;
+      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -6803,14 +4964,14 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -6859,6 +5020,12 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_first_cost <= false;
         slice0cost_tag_map_column <= false;
@@ -6961,22 +5128,30 @@ begin
         sums_tags_held_8_start_of_frame <= false;
         sums_tags_held_8_end_of_line <= false;
         sums_tags_moved <= false;
+        winnerswinner1_pair_tag_valid <= false;
+        winnerswinner1_pair_tag_output_column <= false;
+        winnerswinner1_pair_tag_start_of_frame <= false;
+        winnerswinner1_pair_tag_end_of_line <= false;
+        winnerswinner1_four_tag_valid <= false;
+        winnerswinner1_four_tag_output_column <= false;
+        winnerswinner1_four_tag_start_of_frame <= false;
+        winnerswinner1_four_tag_end_of_line <= false;
         winnerswinner1_tag_valid <= false;
         winnerswinner1_tag_output_column <= false;
         winnerswinner1_tag_start_of_frame <= false;
         winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_pair_tag_valid <= false;
+        winnerswinner2_pair_tag_output_column <= false;
+        winnerswinner2_pair_tag_start_of_frame <= false;
+        winnerswinner2_pair_tag_end_of_line <= false;
+        winnerswinner2_four_tag_valid <= false;
+        winnerswinner2_four_tag_output_column <= false;
+        winnerswinner2_four_tag_start_of_frame <= false;
+        winnerswinner2_four_tag_end_of_line <= false;
         winnerswinner2_tag_valid <= false;
         winnerswinner2_tag_output_column <= false;
         winnerswinner2_tag_start_of_frame <= false;
         winnerswinner2_tag_end_of_line <= false;
-        winnerswinner3_tag_valid <= false;
-        winnerswinner3_tag_output_column <= false;
-        winnerswinner3_tag_start_of_frame <= false;
-        winnerswinner3_tag_end_of_line <= false;
-        winnerswinner4_tag_valid <= false;
-        winnerswinner4_tag_output_column <= false;
-        winnerswinner4_tag_start_of_frame <= false;
-        winnerswinner4_tag_end_of_line <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_output_column <= false;
         winners_best_tag_start_of_frame <= false;

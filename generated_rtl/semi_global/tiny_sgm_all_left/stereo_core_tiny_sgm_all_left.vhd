@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_all_left: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pairs a clock.
+-- Stereo core, semi global, configuration tiny_sgm_all_left: 40x12, 12 disparities, window 3x3, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, reference left, ties largest, left_right_threshold 1, uniqueness_distance 3,
 --   subpixel true, median true, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_tiny_sgm_all_left is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 16;
     output_width_px : positive := 29;
-    latency_clocks : positive := 52;
+    latency_clocks : positive := 59;
     flush_groups : positive := 259;
     gap_groups : natural := 0
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_all_left: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 16 report "stereo_core_tiny_sgm_all_left: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_sgm_all_left: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 52 report "stereo_core_tiny_sgm_all_left: latency_clocks is " & integer'image(latency_clocks) & " but this core has 52" severity failure;
+  assert latency_clocks = 59 report "stereo_core_tiny_sgm_all_left: latency_clocks is " & integer'image(latency_clocks) & " but this core has 59" severity failure;
   assert flush_groups = 259 report "stereo_core_tiny_sgm_all_left: flush_groups is " & integer'image(flush_groups) & " but this core has 259" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_sgm_all_left: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_sgm_all_left is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -138,10 +136,10 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
   signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
   signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -151,15 +149,15 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
-  signal delay_ring_read_address, delay_ring_write_address, delay_row_inside_0, delay_row_inside_1 : boolean;
-  signal delay_row_inside_2, delay_tag_valid, delay_tag_border_column, delay_tag_first_cost : boolean;
-  signal delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
@@ -258,14 +256,21 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
   -- slice0window
@@ -363,6 +368,10 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
   signal slice1cost_tag_border_column : boolean;
@@ -407,6 +416,8 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -437,8 +448,8 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal forward_above_ready_cost_2, forward_above_ready_cost_3, forward_above_ready_cost_4 : natural range 0 to 13;
   signal forward_above_ready_cost_5, forward_above_ready_cost_6, forward_above_ready_cost_7 : natural range 0 to 13;
   signal forward_above_ready_cost_8, forward_above_ready_cost_9, forward_above_ready_cost_10 : natural range 0 to 13;
-  signal forward_above_ready_cost_11, forward_smallest_cost_1, forward_smallest_cost_2 : natural range 0 to 13;
-  signal forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 13;
+  signal forward_above_ready_cost_11, forward_smallest_cost_0, forward_smallest_cost_1 : natural range 0 to 13;
+  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 13;
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
@@ -539,15 +550,16 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
   signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
-  signal sums_tag_map_column, sums_tag_output_column, sums_tag_first_column, sums_tag_start_of_frame : boolean;
-  signal sums_tag_end_of_line, sums_tags_held_0_output_column, sums_tags_held_0_first_column : boolean;
-  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
-  signal sums_tags_held_1_first_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_first_column, sums_tags_held_2_start_of_frame : boolean;
-  signal sums_tags_held_2_end_of_line, sums_tags_held_3_output_column, sums_tags_held_3_first_column : boolean;
-  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
-  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
+  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
+  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
+  signal sums_tag_output_column, sums_tag_first_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_tags_held_0_output_column, sums_tags_held_0_first_column, sums_tags_held_0_start_of_frame : boolean;
+  signal sums_tags_held_0_end_of_line, sums_tags_held_1_output_column, sums_tags_held_1_first_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_first_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
+  signal sums_tags_held_3_output_column, sums_tags_held_3_first_column, sums_tags_held_3_start_of_frame : boolean;
+  signal sums_tags_held_3_end_of_line, sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame : boolean;
+  signal sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_room : natural range 0 to 31;
@@ -590,6 +602,10 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal winnersother_winner_0_9, winnersother_winner_0_10, winnersother_winner_0_11 : natural range 0 to 11;
   signal winnersother_winner_out_0 : natural range 0 to 11;
   -- winnerswinner1
+  signal winnerswinner1_held_0_0, winnerswinner1_held_0_1, winnerswinner1_held_0_2 : natural range 0 to 127;
+  signal winnerswinner1_held_0_3, winnerswinner1_held_0_4, winnerswinner1_held_0_5 : natural range 0 to 127;
+  signal winnerswinner1_held_0_6, winnerswinner1_held_0_7, winnerswinner1_held_0_8 : natural range 0 to 127;
+  signal winnerswinner1_held_0_9, winnerswinner1_held_0_10, winnerswinner1_held_0_11 : natural range 0 to 127;
   signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
   signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
   signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
@@ -599,13 +615,14 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal winnerswinner1_best_above_0_0, winnerswinner1_best_above_0_1 : natural range 0 to 127;
   signal winnerswinner1_best_above_0_2, winnerswinner1_best_above_0_3 : natural range 0 to 127;
   signal winnerswinner1_best_above_0_4, winnerswinner1_best_above_0_5 : natural range 0 to 127;
-  signal winnerswinner1_best_first_0_0, winnerswinner1_best_first_0_1 : natural range 0 to 127;
-  signal winnerswinner1_best_first_0_2, winnerswinner1_best_first_0_3 : natural range 0 to 127;
-  signal winnerswinner1_best_first_0_4, winnerswinner1_best_first_0_5 : natural range 0 to 127;
-  signal winnerswinner1_best_last_0_0, winnerswinner1_best_last_0_1 : natural range 0 to 127;
-  signal winnerswinner1_best_last_0_2, winnerswinner1_best_last_0_3 : natural range 0 to 127;
-  signal winnerswinner1_best_last_0_4, winnerswinner1_best_last_0_5 : natural range 0 to 127;
-  signal winnerswinner1_best_second_0_0 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_0, winnerswinner1_best_late_cost_0_1 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_2, winnerswinner1_best_late_cost_0_3 : natural range 0 to 127;
+  signal winnerswinner1_best_late_cost_0_4, winnerswinner1_best_late_cost_0_5 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_1, winnerswinner1_best_but_first_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_3, winnerswinner1_best_but_first_0_4 : natural range 0 to 127;
+  signal winnerswinner1_best_but_first_0_5, winnerswinner1_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_1, winnerswinner1_best_but_last_0_2 : natural range 0 to 127;
+  signal winnerswinner1_best_but_last_0_3, winnerswinner1_best_but_last_0_4 : natural range 0 to 127;
   signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
   signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
   signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
@@ -620,84 +637,93 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal winnerswinner2_best_above_0_0, winnerswinner2_best_above_0_1 : natural range 0 to 127;
   signal winnerswinner2_best_above_0_2, winnerswinner2_best_first_0_1 : natural range 0 to 127;
   signal winnerswinner2_best_first_0_2, winnerswinner2_best_last_0_0 : natural range 0 to 127;
-  signal winnerswinner2_best_last_0_1, winnerswinner2_best_second_0_0 : natural range 0 to 127;
-  signal winnerswinner2_best_second_0_1, winnerswinner2_best_second_0_2 : natural range 0 to 127;
-  signal winnerswinner2_best_but_first_0_1, winnerswinner2_best_but_first_0_2 : natural range 0 to 127;
-  signal winnerswinner2_best_but_last_0_0, winnerswinner2_best_but_last_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_last_0_1, winnerswinner2_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_late_cost_0_1, winnerswinner2_best_late_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_0, winnerswinner2_best_second_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_second_0_2, winnerswinner2_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner2_best_but_first_0_2, winnerswinner2_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner2_best_but_last_0_1 : natural range 0 to 127;
   signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
   signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
   signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_best_place_0_0, winnerswinner2_best_place_0_1, winnerswinner2_best_place_0_2 : boolean;
+  signal winnerswinner2_best_at_start_0_0, winnerswinner2_best_at_start_0_1, winnerswinner2_best_at_start_0_2 : boolean;
+  signal winnerswinner2_best_at_end_0_0, winnerswinner2_best_at_end_0_1, winnerswinner2_best_at_end_0_2 : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
   -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_below_0_0, winnerswinner3_best_below_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_above_0_0, winnerswinner3_best_above_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_first_0_1, winnerswinner3_best_last_0_0 : natural range 0 to 127;
-  signal winnerswinner3_best_second_0_0, winnerswinner3_best_second_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_but_first_0_1, winnerswinner3_best_but_last_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_below_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_below_0_1, winnerswinner3_best_above_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_above_0_1, winnerswinner3_best_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_last_0_0, winnerswinner3_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_late_cost_0_1, winnerswinner3_best_second_0_0 : natural range 0 to 127;
+  signal winnerswinner3_best_second_0_1, winnerswinner3_best_but_first_0_1 : natural range 0 to 127;
+  signal winnerswinner3_best_but_last_0_0 : natural range 0 to 127;
   signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
   signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
+  signal winnerswinner3_best_place_0_0, winnerswinner3_best_at_start_0_0, winnerswinner3_best_at_end_0_0 : boolean;
   signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
   signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
   -- winnerswinner4
   signal winnerswinner4_best_cost_0_0, winnerswinner4_best_below_0_0 : natural range 0 to 127;
-  signal winnerswinner4_best_above_0_0, winnerswinner4_best_second_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_above_0_0, winnerswinner4_best_late_cost_0_0 : natural range 0 to 127;
+  signal winnerswinner4_best_second_0_0 : natural range 0 to 127;
   signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner4_best_place_0_0, winnerswinner4_best_at_start_0_0, winnerswinner4_best_at_end_0_0 : boolean;
   signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
   signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
   -- winners
-  signal winners_best_cost_0_0, winners_best_below_0_0, winners_best_above_0_0 : natural range 0 to 127;
-  signal winners_best_second_0_0 : natural range 0 to 127;
   signal winners_best_index_0_0 : natural range 0 to 11;
+  signal winners_best_below_0_0, winners_best_above_0_0, winners_best_late_cost_0_0 : natural range 0 to 127;
+  signal winners_best_second_0_0 : natural range 0 to 127;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
   signal winners_best_tag_start_of_frame, winners_best_tag_end_of_line : boolean;
   -- refinement
   signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
   signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
   signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
-  signal refinement_disparity_9_0 : natural range 0 to 11;
-  signal refinement_passed_2_0, refinement_passed_3_0, refinement_passed_4_0, refinement_passed_5_0 : boolean;
-  signal refinement_passed_6_0, refinement_passed_7_0, refinement_passed_8_0, refinement_passed_9_0 : boolean;
-  signal refinement_tag_0_valid, refinement_tag_0_map_column, refinement_tag_0_output_column : boolean;
-  signal refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line, refinement_tag_1_valid : boolean;
-  signal refinement_tag_1_map_column, refinement_tag_1_output_column, refinement_tag_1_start_of_frame : boolean;
-  signal refinement_tag_1_end_of_line, refinement_tag_2_valid, refinement_tag_2_map_column : boolean;
-  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
-  signal refinement_tag_3_valid, refinement_tag_3_map_column, refinement_tag_3_output_column : boolean;
-  signal refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line, refinement_tag_4_valid : boolean;
-  signal refinement_tag_4_map_column, refinement_tag_4_output_column, refinement_tag_4_start_of_frame : boolean;
-  signal refinement_tag_4_end_of_line, refinement_tag_5_valid, refinement_tag_5_map_column : boolean;
-  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
-  signal refinement_tag_6_valid, refinement_tag_6_map_column, refinement_tag_6_output_column : boolean;
-  signal refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line, refinement_tag_7_valid : boolean;
-  signal refinement_tag_7_map_column, refinement_tag_7_output_column, refinement_tag_7_start_of_frame : boolean;
-  signal refinement_tag_7_end_of_line, refinement_tag_8_valid, refinement_tag_8_map_column : boolean;
-  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
-  signal refinement_tag_9_valid, refinement_tag_9_map_column, refinement_tag_9_output_column : boolean;
-  signal refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line, refinement_quotient_1_0 : boolean;
-  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
-  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
-  signal refinement_negative_8_0 : boolean;
-  signal refinement_gap_0, refinement_scaled_gap_0, refinement_remainder_0_0 : natural range 0 to 127;
-  signal refinement_remainder_1_0, refinement_remainder_2_0, refinement_remainder_3_0 : natural range 0 to 127;
-  signal refinement_remainder_4_0, refinement_remainder_5_0, refinement_remainder_6_0 : natural range 0 to 127;
-  signal refinement_remainder_7_0, refinement_divisor_0_0, refinement_divisor_1_0 : natural range 0 to 127;
-  signal refinement_divisor_2_0, refinement_divisor_3_0, refinement_divisor_4_0 : natural range 0 to 127;
-  signal refinement_divisor_5_0, refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 127;
-  signal refinement_quotient_7_0 : natural range 0 to 127;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
+  signal refinement_passed_3_0, refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0 : boolean;
+  signal refinement_passed_7_0, refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0 : boolean;
+  signal refinement_passed_11_0, refinement_tag_0_valid, refinement_tag_0_map_column : boolean;
+  signal refinement_tag_0_output_column, refinement_tag_0_start_of_frame, refinement_tag_0_end_of_line : boolean;
+  signal refinement_tag_1_valid, refinement_tag_1_map_column, refinement_tag_1_output_column : boolean;
+  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
+  signal refinement_tag_2_map_column, refinement_tag_2_output_column, refinement_tag_2_start_of_frame : boolean;
+  signal refinement_tag_2_end_of_line, refinement_tag_3_valid, refinement_tag_3_map_column : boolean;
+  signal refinement_tag_3_output_column, refinement_tag_3_start_of_frame, refinement_tag_3_end_of_line : boolean;
+  signal refinement_tag_4_valid, refinement_tag_4_map_column, refinement_tag_4_output_column : boolean;
+  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
+  signal refinement_tag_5_map_column, refinement_tag_5_output_column, refinement_tag_5_start_of_frame : boolean;
+  signal refinement_tag_5_end_of_line, refinement_tag_6_valid, refinement_tag_6_map_column : boolean;
+  signal refinement_tag_6_output_column, refinement_tag_6_start_of_frame, refinement_tag_6_end_of_line : boolean;
+  signal refinement_tag_7_valid, refinement_tag_7_map_column, refinement_tag_7_output_column : boolean;
+  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
+  signal refinement_tag_8_map_column, refinement_tag_8_output_column, refinement_tag_8_start_of_frame : boolean;
+  signal refinement_tag_8_end_of_line, refinement_tag_9_valid, refinement_tag_9_map_column : boolean;
+  signal refinement_tag_9_output_column, refinement_tag_9_start_of_frame, refinement_tag_9_end_of_line : boolean;
+  signal refinement_tag_10_valid, refinement_tag_10_map_column, refinement_tag_10_output_column : boolean;
+  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
+  signal refinement_tag_11_map_column, refinement_tag_11_output_column, refinement_tag_11_start_of_frame : boolean;
+  signal refinement_tag_11_end_of_line, refinement_alone_0_0, refinement_alone_1_0, refinement_negative_0_0 : boolean;
+  signal refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0, refinement_negative_4_0 : boolean;
+  signal refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0, refinement_negative_8_0 : boolean;
+  signal refinement_gap_0, refinement_scaled_gap_0, refinement_below_0, refinement_above_0 : natural range 0 to 127;
+  signal refinement_u_0, refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 127;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 127;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 127;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 127;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 127;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 127;
   signal refinement_scaled_cost_0 : natural range 0 to 2;
-  signal refinement_quotient_2_0 : natural range 0 to 3;
-  signal refinement_quotient_3_0 : natural range 0 to 7;
-  signal refinement_quotient_4_0 : natural range 0 to 15;
-  signal refinement_quotient_5_0 : natural range 0 to 31;
-  signal refinement_quotient_6_0 : natural range 0 to 63;
-  signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
+  signal refinement_difference_0 : integer range -127 to 127;
+  signal refinement_quotient_8_0 : natural range 0 to 255;
+  signal refinement_fraction_0 : natural range 0 to 31;
   -- leftright
   signal leftright_other_1_0, leftright_other_2_0, leftright_other_3_0, leftright_other_4_0 : natural range 0 to 11;
   signal leftright_other_5_0, leftright_other_6_0, leftright_other_7_0, leftright_other_8_0 : natural range 0 to 11;
   signal leftright_other_9_0, leftright_other_10_0, leftright_other_11_0, leftright_other_12_0 : natural range 0 to 11;
-  signal leftright_other_13_0 : natural range 0 to 11;
+  signal leftright_other_13_0, leftright_other_14_0, leftright_other_15_0 : natural range 0 to 11;
   signal leftright_ring_read_address, leftright_ring_write_address, leftright_position : natural range 0 to 15;
   signal leftright_held_position, leftright_address_0, leftright_asking_disparity_0 : natural range 0 to 15;
   signal leftright_answered_disparity_0, leftright_checked_disparity_0 : natural range 0 to 15;
@@ -719,30 +745,52 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal turn_order_turned_valid, turn_order_turned_map_column, turn_order_turned_start_of_frame : boolean;
   signal turn_order_turned_end_of_line, turn_comes, turn_read_tag_valid, turn_read_tag_map_column : boolean;
   signal turn_read_tag_start_of_frame, turn_read_tag_end_of_line, turn_ready_tag_valid : boolean;
-  signal turn_ready_tag_map_column, turn_ready_tag_start_of_frame, turn_ready_tag_end_of_line : boolean;
+  signal turn_ready_tag_row_start, turn_ready_tag_map_column, turn_ready_tag_start_of_frame : boolean;
+  signal turn_ready_tag_end_of_line : boolean;
   signal turn_newest, turn_write_words_0 : natural range 0 to 16143;
   signal turn_read_words_0 : unsigned(13 downto 0);
   signal turn_ready : natural range 0 to 16383;
   -- map
-  signal map_counter_column, map_read_column, map_ready_column, map_write_column, map_at_column : natural range 0 to 31;
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 31;
+  signal map_sorted_column : natural range 0 to 31;
   signal map_counter_group : natural range 0 to 15;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_at_arrives, map_at_behind : boolean;
+  signal map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_2 : natural range 0 to 65535;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_bottom, map_read_output, map_ready_arrives, map_ready_behind, map_ready_top : boolean;
-  signal map_ready_bottom, map_ready_output, map_at_arrives, map_at_behind, map_at_top, map_at_bottom : boolean;
-  signal map_at_output, map_passed_0_0, map_passed_1_0, map_complete, map_first, map_last : boolean;
-  signal map_waiting_passed_0, map_waiting_valid, map_waiting_start_of_frame, map_waiting_end_of_line : boolean;
-  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_write_words_0 : natural range 0 to 536870911;
   signal map_column_1 : natural range 0 to 8191;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_largest_low_0 : natural range 0 to 4095;
-  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 32767;
-  signal map_high_2_0, map_median_middle_0, map_smallest_high_0, map_out_disparity_0 : natural range 0 to 32767;
+  signal map_of_column_0_a, map_of_column_0_b : natural range 0 to 4095;
+  signal map_of_column_0_c, map_sorted_low_0, map_sorted_middle_0, map_sorted_high_0 : natural range 0 to 32767;
+  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0 : natural range 0 to 32767;
+  signal map_middle_2_0, map_high_0_0, map_high_1_0, map_high_2_0, map_of_low_0_a : natural range 0 to 32767;
+  signal map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a, map_of_middle_0_b : natural range 0 to 32767;
+  signal map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b, map_of_high_0_c : natural range 0 to 32767;
+  signal map_largest_low_0, map_median_middle_0, map_smallest_high_0, map_of_all_0_a : natural range 0 to 32767;
+  signal map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 32767;
   -- other
-  signal other_0 : natural range 0 to 8190;
-  signal other_1 : natural range 0 to 67108863;
-  signal other_2 : unsigned(25 downto 0);
-  signal other_3, other_4, other_5 : boolean;
+  signal other_0, other_2 : unsigned(48 downto 0);
+  signal other_1 : natural range 0 to 8190;
+  signal other_3 : natural range 0 to 67108863;
+  signal other_4 : unsigned(25 downto 0);
+  signal other_5 : natural range 0 to 254;
+  signal other_6 : natural range 0 to 252;
+  signal other_7 : natural range 0 to 248;
+  signal other_8 : natural range 0 to 240;
+  signal other_9 : natural range 0 to 224;
+  signal other_10 : natural range 0 to 192;
+  signal other_11 : natural range 0 to 128;
+  signal other_12, other_13, other_14 : boolean;
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
@@ -767,7 +815,7 @@ architecture rtl of stereo_core_tiny_sgm_all_left is
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal other_2_memory_write_data : unsigned(25 downto 0);
+  signal other_4_memory_write_data : unsigned(25 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
 
 begin
@@ -781,7 +829,7 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 4);
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
   leftright_found_0_memory : entity work.line_memory
     generic map (depth => 16, width => 4)
     port map (
@@ -789,7 +837,7 @@ begin
       read_address => leftright_address_0, read_data => leftright_found_0,
       write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
 
-  leftright_held_0_memory_write_data <= to_unsigned((refinement_fraction_0 mod 32), 5) & to_unsigned(as_number(refinement_passed_9_0), 1) & to_unsigned(refinement_disparity_9_0, 8) & to_unsigned(as_number(refinement_tag_9_end_of_line), 1) & to_unsigned(as_number(refinement_tag_9_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_9_output_column), 1) & to_unsigned(as_number(refinement_tag_9_map_column), 1);
+  leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
     generic map (depth => 12, width => 18)
     port map (
@@ -890,7 +938,7 @@ begin
     generic map (depth => 5, width => 12)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
       write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
@@ -898,7 +946,7 @@ begin
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
       write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
@@ -906,7 +954,7 @@ begin
     generic map (depth => 5, width => 30)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
+      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
       write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
@@ -914,7 +962,7 @@ begin
     generic map (depth => 5, width => 16)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
       write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
@@ -922,7 +970,7 @@ begin
     generic map (depth => 5, width => 32)
     port map (
       clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
+      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
       write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
@@ -973,13 +1021,13 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  other_2_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
-  other_2_memory : entity work.line_memory
+  other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
+  other_4_memory : entity work.line_memory
     generic map (depth => 29, width => 26)
     port map (
       clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_2,
-      write_address => map_at_column, write_data => other_2_memory_write_data);
+      read_address => map_counter_column, read_data => other_4,
+      write_address => map_at_column, write_data => other_4_memory_write_data);
 
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
   turn_read_words_0_memory : entity work.line_memory
@@ -992,10 +1040,6 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal_3, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
     variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
     variable transform_read_column_inside_1_choice, transform_read_column_inside_1_differs : boolean;
     variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
@@ -1204,596 +1248,107 @@ begin
     variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
     variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable raster_place_group_choice_2, raster_place_next_frame_is_equal, raster_place_next_frame_choice : boolean;
-    variable raster_place_next_frame_choice_2, raster_place_next_frame_is_equal_2 : boolean;
-    variable raster_place_next_frame_all, raster_place_next_frame_choice_3, raster_place_next_frame_all_2 : boolean;
-    variable raster_features_start_of_frame_choice, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
-    variable delay_tag_map_column_is_less, slice0cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_3, slice0cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_2, slice0cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_6, slice0cost_pixels_first_0_0_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice, slice0cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_4, slice0cost_pixels_first_0_0_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_4, slice0cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_5, slice0cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_2, slice0cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_2, slice0cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_6, slice0cost_pixels_first_0_0_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value, slice0cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_4, slice0cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_5, slice0cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_3, slice0cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_2, slice0cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_2, slice0cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_6, slice0cost_pixels_first_0_0_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value, slice0cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice, slice0cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_3, slice0cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice_2, slice0cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_2, slice0cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice, slice0cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice, slice0cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_3, slice0cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_2, slice0cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice, slice0cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_3, slice0cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_2, slice0cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice, slice0cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_3, slice0cost_pixels_first_0_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice_2, slice0cost_pixels_first_0_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_2, slice0cost_pixels_first_0_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice, slice0cost_pixels_first_0_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice, slice0cost_pixels_first_0_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_3, slice0cost_pixels_first_0_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_2, slice0cost_pixels_first_0_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice, slice0cost_pixels_first_0_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_3, slice0cost_pixels_first_0_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_2, slice0cost_pixels_first_0_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice, slice0cost_pixels_first_0_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_3, slice0cost_pixels_first_0_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice_2, slice0cost_pixels_first_0_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_2, slice0cost_pixels_first_0_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice, slice0cost_pixels_first_0_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice, slice0cost_pixels_first_0_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_3, slice0cost_pixels_first_0_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_2, slice0cost_pixels_first_0_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice, slice0cost_pixels_first_0_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_3, slice0cost_pixels_first_0_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_2, slice0cost_pixels_first_0_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice, slice0cost_pixels_first_0_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_3, slice0cost_pixels_first_0_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice_2, slice0cost_pixels_first_0_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_2, slice0cost_pixels_first_0_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice, slice0cost_pixels_first_0_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice, slice0cost_pixels_first_0_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_3, slice0cost_pixels_first_0_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_2, slice0cost_pixels_first_0_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice, slice0cost_pixels_first_0_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_3, slice0cost_pixels_first_0_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_2, slice0cost_pixels_first_0_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice, slice0cost_pixels_first_0_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_3, slice0cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_3, slice0cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_2, slice0cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_6, slice0cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4 : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice, slice0cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_4, slice0cost_pixels_first_1_0_count_2_choice_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_4, slice0cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_5, slice0cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_3, slice0cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_2, slice0cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_6, slice0cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_4, slice0cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_5, slice0cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_2, slice0cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_6, slice0cost_pixels_first_1_0_count_6_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice, slice0cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_3, slice0cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_3, slice0cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice_2, slice0cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_2, slice0cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice, slice0cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice, slice0cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_3, slice0cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_2, slice0cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice, slice0cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_3, slice0cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_2, slice0cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice, slice0cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_3, slice0cost_pixels_first_1_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice_2, slice0cost_pixels_first_1_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_2, slice0cost_pixels_first_1_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice, slice0cost_pixels_first_1_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice, slice0cost_pixels_first_1_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_3, slice0cost_pixels_first_1_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_2, slice0cost_pixels_first_1_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice, slice0cost_pixels_first_1_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_3, slice0cost_pixels_first_1_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_2, slice0cost_pixels_first_1_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice, slice0cost_pixels_first_1_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_3, slice0cost_pixels_first_1_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_0_choice_2, slice0cost_pixels_first_1_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice_2, slice0cost_pixels_first_1_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_2_choice, slice0cost_pixels_first_1_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice, slice0cost_pixels_first_1_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice_3, slice0cost_pixels_first_1_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice_2, slice0cost_pixels_first_1_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice, slice0cost_pixels_first_1_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice_3, slice0cost_pixels_first_1_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice_2, slice0cost_pixels_first_1_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice, slice0cost_pixels_first_1_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice_3, slice0cost_pixels_first_1_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_0_choice_2, slice0cost_pixels_first_1_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice_2, slice0cost_pixels_first_1_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_2_choice, slice0cost_pixels_first_1_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice, slice0cost_pixels_first_1_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice_3, slice0cost_pixels_first_1_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice_2, slice0cost_pixels_first_1_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice, slice0cost_pixels_first_1_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice_3, slice0cost_pixels_first_1_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice_2, slice0cost_pixels_first_1_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice, slice0cost_pixels_first_1_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice_3, slice0cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_3, slice0cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_2, slice0cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_6, slice0cost_pixels_first_2_0_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice, slice0cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_4, slice0cost_pixels_first_2_0_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_4, slice0cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_5, slice0cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_2, slice0cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_2, slice0cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_6, slice0cost_pixels_first_2_0_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value, slice0cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_4, slice0cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_5, slice0cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_3, slice0cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_2, slice0cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_2, slice0cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_6, slice0cost_pixels_first_2_0_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value, slice0cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice, slice0cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_3, slice0cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_3, slice0cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice_2, slice0cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_2, slice0cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice, slice0cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice, slice0cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_3, slice0cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_2, slice0cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice, slice0cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_3, slice0cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_2, slice0cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice, slice0cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_3, slice0cost_pixels_first_2_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice_2, slice0cost_pixels_first_2_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_2, slice0cost_pixels_first_2_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice, slice0cost_pixels_first_2_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice, slice0cost_pixels_first_2_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_3, slice0cost_pixels_first_2_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_2, slice0cost_pixels_first_2_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice, slice0cost_pixels_first_2_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_3, slice0cost_pixels_first_2_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_2, slice0cost_pixels_first_2_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice, slice0cost_pixels_first_2_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_3, slice0cost_pixels_first_2_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_0_choice_2, slice0cost_pixels_first_2_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice_2, slice0cost_pixels_first_2_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_2_choice, slice0cost_pixels_first_2_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice, slice0cost_pixels_first_2_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice_3, slice0cost_pixels_first_2_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice_2, slice0cost_pixels_first_2_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice, slice0cost_pixels_first_2_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice_3, slice0cost_pixels_first_2_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice_2, slice0cost_pixels_first_2_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice, slice0cost_pixels_first_2_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice_3, slice0cost_pixels_first_2_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_0_choice_2, slice0cost_pixels_first_2_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice_2, slice0cost_pixels_first_2_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_2_choice, slice0cost_pixels_first_2_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice, slice0cost_pixels_first_2_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice_3, slice0cost_pixels_first_2_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice_2, slice0cost_pixels_first_2_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice, slice0cost_pixels_first_2_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice_3, slice0cost_pixels_first_2_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice_2, slice0cost_pixels_first_2_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice, slice0cost_pixels_first_2_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice_3, slice1cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_3, slice1cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_2, slice1cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_6, slice1cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice, slice1cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_4, slice1cost_pixels_first_0_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_4, slice1cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_5, slice1cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_2, slice1cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_6, slice1cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_4, slice1cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_5, slice1cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_2, slice1cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_6, slice1cost_pixels_first_0_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice, slice1cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_3, slice1cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice_2, slice1cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_2, slice1cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice, slice1cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice, slice1cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_3, slice1cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_2, slice1cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice, slice1cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_3, slice1cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_2, slice1cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice, slice1cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_3, slice1cost_pixels_first_0_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice_2, slice1cost_pixels_first_0_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_2, slice1cost_pixels_first_0_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice, slice1cost_pixels_first_0_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice, slice1cost_pixels_first_0_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_3, slice1cost_pixels_first_0_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_2, slice1cost_pixels_first_0_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice, slice1cost_pixels_first_0_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_3, slice1cost_pixels_first_0_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_2, slice1cost_pixels_first_0_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice, slice1cost_pixels_first_0_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_3, slice1cost_pixels_first_0_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice_2, slice1cost_pixels_first_0_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_2, slice1cost_pixels_first_0_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice, slice1cost_pixels_first_0_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice, slice1cost_pixels_first_0_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_3, slice1cost_pixels_first_0_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_2, slice1cost_pixels_first_0_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice, slice1cost_pixels_first_0_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_3, slice1cost_pixels_first_0_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_2, slice1cost_pixels_first_0_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice, slice1cost_pixels_first_0_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_3, slice1cost_pixels_first_0_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice_2, slice1cost_pixels_first_0_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_2, slice1cost_pixels_first_0_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice, slice1cost_pixels_first_0_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice, slice1cost_pixels_first_0_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_3, slice1cost_pixels_first_0_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_2, slice1cost_pixels_first_0_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice, slice1cost_pixels_first_0_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_3, slice1cost_pixels_first_0_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_2, slice1cost_pixels_first_0_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice, slice1cost_pixels_first_0_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_3, slice1cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_3, slice1cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_choice_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice_2, slice1cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_6, slice1cost_pixels_first_1_0_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_choice, slice1cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_4, slice1cost_pixels_first_1_0_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_4, slice1cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_5, slice1cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice_2, slice1cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_6, slice1cost_pixels_first_1_0_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_4, slice1cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_5, slice1cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice_2, slice1cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_6, slice1cost_pixels_first_1_0_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice, slice1cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_3, slice1cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice_3, slice1cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_0_choice_2, slice1cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice_2, slice1cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_2_choice, slice1cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice, slice1cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice_3, slice1cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice_2, slice1cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice, slice1cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice_3, slice1cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice_2, slice1cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice, slice1cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice_3, slice1cost_pixels_first_1_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_0_choice_2, slice1cost_pixels_first_1_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice_2, slice1cost_pixels_first_1_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_2_choice, slice1cost_pixels_first_1_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice, slice1cost_pixels_first_1_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice_3, slice1cost_pixels_first_1_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice_2, slice1cost_pixels_first_1_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice, slice1cost_pixels_first_1_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice_3, slice1cost_pixels_first_1_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice_2, slice1cost_pixels_first_1_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice, slice1cost_pixels_first_1_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice_3, slice1cost_pixels_first_1_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_0_choice_2, slice1cost_pixels_first_1_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice_2, slice1cost_pixels_first_1_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_2_choice, slice1cost_pixels_first_1_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice, slice1cost_pixels_first_1_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice_3, slice1cost_pixels_first_1_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice_2, slice1cost_pixels_first_1_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice, slice1cost_pixels_first_1_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice_3, slice1cost_pixels_first_1_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice_2, slice1cost_pixels_first_1_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice, slice1cost_pixels_first_1_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice_3, slice1cost_pixels_first_1_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_0_choice_2, slice1cost_pixels_first_1_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice_2, slice1cost_pixels_first_1_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_2_choice, slice1cost_pixels_first_1_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice, slice1cost_pixels_first_1_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice_3, slice1cost_pixels_first_1_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice_2, slice1cost_pixels_first_1_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice, slice1cost_pixels_first_1_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice_3, slice1cost_pixels_first_1_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice_2, slice1cost_pixels_first_1_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice, slice1cost_pixels_first_1_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice_3, slice1cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_3, slice1cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_choice_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice_2, slice1cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_6, slice1cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_choice, slice1cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_4, slice1cost_pixels_first_2_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_4, slice1cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_5, slice1cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice_2, slice1cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_6, slice1cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_4, slice1cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_5, slice1cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice_2, slice1cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_6, slice1cost_pixels_first_2_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_7_value, slice1cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice, slice1cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_3, slice1cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice_3, slice1cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_0_choice_2, slice1cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice_2, slice1cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_2_choice, slice1cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice, slice1cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice_3, slice1cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice_2, slice1cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice, slice1cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice_3, slice1cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice_2, slice1cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice, slice1cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice_3, slice1cost_pixels_first_2_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_0_choice_2, slice1cost_pixels_first_2_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice_2, slice1cost_pixels_first_2_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_2_choice, slice1cost_pixels_first_2_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice, slice1cost_pixels_first_2_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice_3, slice1cost_pixels_first_2_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice_2, slice1cost_pixels_first_2_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice, slice1cost_pixels_first_2_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice_3, slice1cost_pixels_first_2_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice_2, slice1cost_pixels_first_2_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice, slice1cost_pixels_first_2_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice_3, slice1cost_pixels_first_2_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_0_choice_2, slice1cost_pixels_first_2_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice_2, slice1cost_pixels_first_2_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_2_choice, slice1cost_pixels_first_2_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice, slice1cost_pixels_first_2_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice_3, slice1cost_pixels_first_2_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice_2, slice1cost_pixels_first_2_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice, slice1cost_pixels_first_2_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice_3, slice1cost_pixels_first_2_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice_2, slice1cost_pixels_first_2_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice, slice1cost_pixels_first_2_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice_3, slice1cost_pixels_first_2_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_0_choice_2, slice1cost_pixels_first_2_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice_2, slice1cost_pixels_first_2_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_2_choice, slice1cost_pixels_first_2_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice, slice1cost_pixels_first_2_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice_3, slice1cost_pixels_first_2_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice_2, slice1cost_pixels_first_2_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice, slice1cost_pixels_first_2_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice_3, slice1cost_pixels_first_2_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice_2, slice1cost_pixels_first_2_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice, slice1cost_pixels_first_2_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice_3, slice2cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_3, slice2cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_2, slice2cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_6, slice2cost_pixels_first_0_0_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice, slice2cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_4, slice2cost_pixels_first_0_0_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_4, slice2cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_5, slice2cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_2, slice2cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_6, slice2cost_pixels_first_0_0_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_4, slice2cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_5, slice2cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_2, slice2cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_6, slice2cost_pixels_first_0_0_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value, slice2cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice, slice2cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_3, slice2cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice_2, slice2cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_2, slice2cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice, slice2cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice, slice2cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_3, slice2cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_2, slice2cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice, slice2cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_3, slice2cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_2, slice2cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice, slice2cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_3, slice2cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_3, slice2cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_choice_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice_2, slice2cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_6, slice2cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_choice, slice2cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_4, slice2cost_pixels_first_1_0_count_2_choice_2 : boolean;
     variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_4, slice2cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_5, slice2cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice_2, slice2cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_6, slice2cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_4, slice2cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_5, slice2cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice_2, slice2cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_6, slice2cost_pixels_first_1_0_count_6_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice, slice2cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_3, slice2cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice_3, slice2cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_0_choice_2, slice2cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice_2, slice2cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_2_choice, slice2cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice, slice2cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice_3, slice2cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice_2, slice2cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice, slice2cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice_3, slice2cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice_2, slice2cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice, slice2cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice_3, slice2cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_3, slice2cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_choice_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice_2, slice2cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_6, slice2cost_pixels_first_2_0_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_choice, slice2cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_4, slice2cost_pixels_first_2_0_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_4, slice2cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_5, slice2cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice_2, slice2cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_6, slice2cost_pixels_first_2_0_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_4, slice2cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_5, slice2cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice_2, slice2cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_6, slice2cost_pixels_first_2_0_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice, slice2cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_3, slice2cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice_3, slice2cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_0_choice_2, slice2cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice_2, slice2cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_2_choice, slice2cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice, slice2cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice_3, slice2cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice_2, slice2cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice, slice2cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice_3, slice2cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice_2, slice2cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice, slice2cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice_3, entry_order_address_all, entry_order_address_all_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
     variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
@@ -1883,77 +1438,28 @@ begin
     variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
     variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
     variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner2_best_above_0_1_all, winnerswinner2_best_above_0_2_all : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_below_0_0_is_equal : boolean;
-    variable winnerswinner3_best_above_0_0_is_equal, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
+    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
+    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner3_best_below_0_0_is_equal, winnerswinner3_best_above_0_0_is_equal : boolean;
+    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
     variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
     variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
     variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
     variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
     variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner4_best_below_0_0_all, winnerswinner4_best_above_0_0_is_equal : boolean;
-    variable refinement_passed_2_0_choice, refinement_passed_2_0_choice_2, refinement_remainder_0_0_is_less : boolean;
-    variable refinement_remainder_1_0_choice, refinement_remainder_1_0_choice_2 : boolean;
-    variable refinement_remainder_1_0_value, refinement_remainder_1_0_choice_3 : boolean;
-    variable refinement_remainder_1_0_value_2, refinement_remainder_1_0_choice_4 : boolean;
-    variable refinement_remainder_1_0_value_3, refinement_remainder_1_0_choice_5 : boolean;
-    variable refinement_remainder_1_0_value_4, refinement_remainder_1_0_choice_6 : boolean;
-    variable refinement_remainder_1_0_choice_7, refinement_remainder_2_0_choice : boolean;
-    variable refinement_remainder_2_0_value, refinement_remainder_2_0_choice_2 : boolean;
-    variable refinement_remainder_2_0_value_2, refinement_remainder_2_0_choice_3 : boolean;
-    variable refinement_remainder_2_0_value_3, refinement_remainder_2_0_choice_4 : boolean;
-    variable refinement_remainder_2_0_value_4, refinement_remainder_2_0_choice_5 : boolean;
-    variable refinement_remainder_2_0_value_5, refinement_remainder_2_0_choice_6 : boolean;
-    variable refinement_remainder_2_0_choice_7, refinement_remainder_3_0_choice : boolean;
-    variable refinement_remainder_3_0_value, refinement_remainder_3_0_choice_2 : boolean;
-    variable refinement_remainder_3_0_value_2, refinement_remainder_3_0_choice_3 : boolean;
-    variable refinement_remainder_3_0_value_3, refinement_remainder_3_0_choice_4 : boolean;
-    variable refinement_remainder_3_0_value_4, refinement_remainder_3_0_choice_5 : boolean;
-    variable refinement_remainder_3_0_value_5, refinement_remainder_3_0_choice_6 : boolean;
-    variable refinement_remainder_3_0_choice_7, refinement_remainder_4_0_choice : boolean;
-    variable refinement_remainder_4_0_value, refinement_remainder_4_0_choice_2 : boolean;
-    variable refinement_remainder_4_0_value_2, refinement_remainder_4_0_choice_3 : boolean;
-    variable refinement_remainder_4_0_value_3, refinement_remainder_4_0_choice_4 : boolean;
-    variable refinement_remainder_4_0_value_4, refinement_remainder_4_0_choice_5 : boolean;
-    variable refinement_remainder_4_0_value_5, refinement_remainder_4_0_choice_6 : boolean;
-    variable refinement_remainder_4_0_choice_7, refinement_remainder_5_0_choice : boolean;
-    variable refinement_remainder_5_0_value, refinement_remainder_5_0_choice_2 : boolean;
-    variable refinement_remainder_5_0_value_2, refinement_remainder_5_0_choice_3 : boolean;
-    variable refinement_remainder_5_0_value_3, refinement_remainder_5_0_choice_4 : boolean;
-    variable refinement_remainder_5_0_value_4, refinement_remainder_5_0_choice_5 : boolean;
-    variable refinement_remainder_5_0_value_5, refinement_remainder_5_0_choice_6 : boolean;
-    variable refinement_remainder_5_0_choice_7, refinement_remainder_6_0_choice : boolean;
-    variable refinement_remainder_6_0_value, refinement_remainder_6_0_choice_2 : boolean;
-    variable refinement_remainder_6_0_value_2, refinement_remainder_6_0_choice_3 : boolean;
-    variable refinement_remainder_6_0_value_3, refinement_remainder_6_0_choice_4 : boolean;
-    variable refinement_remainder_6_0_value_4, refinement_remainder_6_0_choice_5 : boolean;
-    variable refinement_remainder_6_0_value_5, refinement_remainder_6_0_choice_6 : boolean;
-    variable refinement_remainder_6_0_choice_7, refinement_remainder_7_0_choice : boolean;
-    variable refinement_remainder_7_0_value, refinement_remainder_7_0_choice_2 : boolean;
-    variable refinement_remainder_7_0_value_2, refinement_remainder_7_0_choice_3 : boolean;
-    variable refinement_remainder_7_0_value_3, refinement_remainder_7_0_choice_4 : boolean;
-    variable refinement_remainder_7_0_value_4, refinement_remainder_7_0_choice_5 : boolean;
-    variable refinement_remainder_7_0_value_5, refinement_remainder_7_0_choice_6 : boolean;
-    variable refinement_remainder_7_0_choice_7, refinement_divisor_0_0_choice, refinement_quotient_8_0_choice : boolean;
-    variable refinement_quotient_8_0_value, refinement_quotient_8_0_choice_2, refinement_quotient_8_0_value_2 : boolean;
-    variable refinement_quotient_8_0_choice_3, refinement_quotient_8_0_value_3 : boolean;
-    variable refinement_quotient_8_0_choice_4, refinement_quotient_8_0_value_4 : boolean;
-    variable refinement_quotient_8_0_choice_5, refinement_quotient_8_0_value_5 : boolean;
-    variable refinement_quotient_8_0_choice_6, refinement_quotient_8_0_choice_7 : boolean;
-    variable refinement_negative_0_0_choice, refinement_negative_0_0_choice_2, refinement_negative_0_0_value : boolean;
-    variable refinement_negative_0_0_choice_3, refinement_negative_0_0_value_2 : boolean;
-    variable refinement_negative_0_0_choice_4, refinement_negative_0_0_value_3 : boolean;
-    variable refinement_negative_0_0_choice_5, refinement_negative_0_0_value_4 : boolean;
-    variable refinement_negative_0_0_choice_6, refinement_negative_0_0_value_5, leftright_holds_winners_all : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_complete_any : boolean;
-    variable map_counter_group_is_equal, map_line_ended_choice, map_passed_1_0_all, map_complete_choice : boolean;
-    variable map_complete_choice_2, map_median_middle_0_is_less, map_out_disparity_0_is_less : boolean;
-    variable map_low_0_0_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
+    variable winnerswinner4_best_below_0_0_is_equal, winnerswinner4_best_above_0_0_is_equal : boolean;
+    variable refinement_passed_3_0_choice, refinement_passed_3_0_choice_2, refinement_divisor_0_0_is_less : boolean;
+    variable leftright_holds_winners_all, turn_order_address_all, turn_order_address_all_2 : boolean;
+    variable turn_order_complete_any, turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_low_1_0_all : boolean;
     variable transform_counter_group_choice, raster_place_group_choice, map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -2061,21 +1567,18 @@ begin
     variable winnerswinner2_best_below_0_2_choice, winnerswinner2_best_above_0_0_choice : natural range 0 to 127;
     variable winnerswinner2_best_above_0_1_choice, winnerswinner2_best_above_0_2_choice : natural range 0 to 127;
     variable winnerswinner2_best_second_0_0_choice, winnerswinner2_best_second_0_0_choice_2 : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_1_choice : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_1_choice_2, winnerswinner2_best_second_0_1_choice_3 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_0_choice_3, winnerswinner2_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice, winnerswinner2_best_second_0_1_choice_2 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_1_choice_3, winnerswinner2_best_second_0_1_choice_4 : natural range 0 to 127;
     variable winnerswinner2_best_second_0_2_choice, winnerswinner2_best_second_0_2_choice_2 : natural range 0 to 127;
-    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner3_best_below_0_0_choice : natural range 0 to 127;
-    variable winnerswinner3_best_above_0_0_choice, winnerswinner3_best_second_0_0_choice : natural range 0 to 127;
-    variable winnerswinner3_best_second_0_0_choice_2, winnerswinner3_best_second_0_0_choice_3 : natural range 0 to 127;
-    variable winnerswinner3_best_second_0_0_choice_4, winnerswinner4_best_below_0_0_choice : natural range 0 to 127;
-    variable winnerswinner4_best_above_0_0_choice, winnerswinner4_best_second_0_0_choice : natural range 0 to 127;
-    variable winnerswinner4_best_second_0_0_choice_2, winnerswinner4_best_second_0_0_choice_3 : natural range 0 to 127;
-    variable winnerswinner4_best_second_0_0_choice_4, refinement_remainder_0_0_choice : natural range 0 to 127;
-    variable refinement_remainder_0_0_choice_2, refinement_remainder_0_0_choice_3 : natural range 0 to 127;
-    variable refinement_remainder_0_0_choice_4, refinement_remainder_1_0_choice_8 : natural range 0 to 127;
-    variable refinement_remainder_2_0_choice_8, refinement_remainder_3_0_choice_8 : natural range 0 to 127;
-    variable refinement_remainder_4_0_choice_8, refinement_remainder_5_0_choice_8 : natural range 0 to 127;
-    variable refinement_remainder_6_0_choice_8, refinement_remainder_7_0_choice_8 : natural range 0 to 127;
+    variable winnerswinner2_best_second_0_2_choice_3, winnerswinner2_best_second_0_2_choice_4 : natural range 0 to 127;
+    variable winnerswinner3_best_below_0_0_choice, winnerswinner3_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice, winnerswinner3_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner3_best_second_0_0_choice_3, winnerswinner3_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable winnerswinner4_best_below_0_0_choice, winnerswinner4_best_above_0_0_choice : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice, winnerswinner4_best_second_0_0_choice_2 : natural range 0 to 127;
+    variable winnerswinner4_best_second_0_0_choice_3, winnerswinner4_best_second_0_0_choice_4 : natural range 0 to 127;
+    variable refinement_divisor_0_0_choice : natural range 0 to 127;
     variable winnersother_winner_0_0_choice_8, winnersother_winner_0_0_choice_9 : natural range 0 to 11;
     variable winnersother_winner_0_0_choice_10, winnersother_winner_0_0_choice_11 : natural range 0 to 11;
     variable winnersother_winner_0_0_choice_12, winnersother_winner_0_0_choice_13 : natural range 0 to 11;
@@ -2108,19 +1611,24 @@ begin
     variable winnersother_winner_0_9_choice_5, winnersother_winner_0_9_choice_6 : natural range 0 to 11;
     variable winnersother_winner_0_10_choice, winnersother_winner_0_10_choice_2 : natural range 0 to 11;
     variable winnersother_winner_0_11_choice, winnersother_winner_0_11_choice_2 : natural range 0 to 11;
-    variable refinement_remainder_0_0_difference, refinement_remainder_0_0_difference_2 : integer range -127 to 127;
+    variable refinement_remainder_1_0_difference : natural range 129 to 383;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 129 to 510;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 129 to 510;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 129 to 510;
     variable refinement_fraction_0_difference : integer range -15 to 0;
     variable refinement_fraction_0_value : natural range 0 to 16;
     variable leftright_checked_passed_0_difference : integer range -14 to 16;
-    variable map_largest_low_0_choice, map_low_0_0_choice_2, map_low_0_0_choice_3 : natural range 0 to 4095;
-    variable map_low_0_0_choice_4, map_low_0_0_choice_5, map_low_0_0_choice_6 : natural range 0 to 4095;
-    variable map_middle_0_0_choice : natural range 0 to 4095;
-    variable map_median_middle_0_choice, map_median_middle_0_choice_2 : natural range 0 to 32767;
-    variable map_median_middle_0_choice_3, map_smallest_high_0_choice : natural range 0 to 32767;
-    variable map_out_disparity_0_choice, map_out_disparity_0_choice_2 : natural range 0 to 32767;
-    variable map_out_disparity_0_choice_3, map_low_0_0_choice, map_middle_0_0_choice_2 : natural range 0 to 32767;
-    variable map_middle_0_0_choice_3, map_middle_0_0_choice_4, map_high_0_0_choice : natural range 0 to 32767;
-    variable map_high_0_0_choice_2 : natural range 0 to 32767;
+    variable map_of_column_0_a_choice : natural range 0 to 4095;
+    variable map_of_column_0_c_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 32767;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 32767;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 32767;
+    variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 32767;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 32767;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 32767;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 32767;
+    variable map_high_0_0_choice : natural range 0 to 32767;
   begin
     if rising_edge(clock) then
       -- transform
@@ -2129,24 +1637,10 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_choice := 3 when transform_counter_group_all else 0;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when raster_features_start_of_frame and transform_counter_group_is_equal_3
+      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
         else (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
         transform_counter_group_is_equal and in_valid else transform_counter_group;
-      transform_counter_next_frame_is_equal := (raster_place_group / 2) = 6;
-      transform_counter_next_frame_is_equal_2 := raster_place_column = 39;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
-        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_is_equal_3 := raster_place_group = 11;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2;
-      transform_counter_next_frame_choice_3 := transform_filtered_valid when transform_counter_next_frame_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      transform_counter_next_frame_choice_4 := transform_counter_next_frame_choice_3 when
-        transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid and transform_filtered_start_of_frame;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
       transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
@@ -2417,9 +1911,9 @@ begin
       transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
         (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2725,7 +2219,7 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
           (as_number(transform_left_filter_feature_0_choice_176) * 4) +
@@ -2734,7 +2228,7 @@ begin
       else
         transform_left_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) +
           (as_number(transform_left_filter_feature_0_choice_136) * 128) +
@@ -2743,14 +2237,14 @@ begin
       else
         transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
       else
         transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
@@ -3020,9 +2514,9 @@ begin
       transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
         (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -3328,7 +2822,7 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
           (as_number(transform_right_filter_feature_0_choice_176) * 4) +
@@ -3337,7 +2831,7 @@ begin
       else
         transform_right_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) +
           (as_number(transform_right_filter_feature_0_choice_136) * 128) +
@@ -3346,14 +2840,14 @@ begin
       else
         transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
       else
         transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
@@ -3369,8 +2863,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
-      transform_counter_next_frame <= transform_counter_next_frame_choice_4 or ((not transform_filtered_valid) and
-        transform_counter_next_frame);
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -3380,10 +2872,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
@@ -3393,8 +2885,8 @@ begin
       transform_read_column_inside_2 <= true;
       transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
         transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
-      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal_2 when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -3437,25 +2929,30 @@ begin
         (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_left_filter_feature_0_choice_196;
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
         (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
         (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_right_filter_feature_0_choice_196;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -3517,64 +3014,59 @@ begin
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := transform_counter_next_frame_is_equal_2 and transform_filtered_valid and (not
-        ((raster_place_group mod 2) = 1)) when transform_counter_next_frame_is_equal else
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 12) else
+      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equal_2 := raster_place_column = 39;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
-      raster_place_next_frame_is_equal := map_counter_column = 28;
-      raster_place_next_frame_choice := raster_place_next_frame and ((map_counter_group mod 2) = 1) when
-        (map_counter_group / 2) = 6 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_next_frame_is_equal else
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
         raster_place_next_frame;
-      raster_place_next_frame_is_equal_2 := map_counter_group = 11;
-      raster_place_next_frame_all := raster_place_next_frame_is_equal and raster_place_next_frame_is_equal_2;
-      raster_place_next_frame_choice_3 := raster_place_next_frame_all or (not turn_ready_tag_start_of_frame) when
-        raster_place_next_frame_choice_2 else raster_place_next_frame_is_equal and raster_place_next_frame_is_equal_2
-        and turn_ready_tag_start_of_frame;
-      raster_place_next_frame_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_place_next_frame <= raster_place_next_frame or raster_place_next_frame_all_2 when
-        raster_place_next_frame_choice_3 else raster_place_next_frame and ((not turn_ready_tag_valid) or (not
-        turn_ready_tag_map_column));
-      raster_features_start_of_frame_choice := transform_counter_group_all when in_start_of_frame else
-        raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          raster_features_start_of_frame_choice;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
-      delay_ring_read_address <= delay_ring_write_address;
-      delay_ring_write_address <= winners_best_second_0_0 = 127;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_less and delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= transform_counter_next_frame_is_equal_2;
+      delay_tag_end_of_line <= raster_place_group_is_equal_2;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -3659,1151 +3151,548 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := ((slice0shift_search_0_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := ((slice0shift_search_0_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_search_0_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not ((slice0shift_search_0_0 / 8388608) = 1) when
-        (slice0shift_reference_0 / 8388608) = 1 else (slice0shift_search_0_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := ((slice0shift_search_0_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_1 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_2 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_3 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_3 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_3 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_3 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_3 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_3 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_3 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_3 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_3 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_4 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_4 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_4 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_4 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_4 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_4 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_4 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_4 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_4 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := ((slice0shift_search_1_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := ((slice0shift_search_1_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_search_1_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not ((slice0shift_search_1_0 / 8388608) = 1) when
-        (slice0shift_reference_1 / 8388608) = 1 else (slice0shift_search_1_0 / 8388608) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := ((slice0shift_search_1_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_1 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_2 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_3_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_3 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_3_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_3 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_3 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_3_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_3 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_3 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_3_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_3 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_3_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_3 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_3 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_3_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_3_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_3_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_3_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_3_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_3_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_3_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_3_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_3_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_3_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_3_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_3_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_3 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_3_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_4_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_4 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_4_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_4 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_4 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_4_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_4 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_4 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_4_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_4 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_4_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_4 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_4 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_4_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_4_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_4_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_4_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_4_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_4_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_4_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_4_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_4_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_4_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_4_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_4_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_4 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_4_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := ((slice0shift_search_2_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := ((slice0shift_search_2_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_search_2_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not ((slice0shift_search_2_0 / 8388608) = 1) when
-        (slice0shift_reference_2 / 8388608) = 1 else (slice0shift_search_2_0 / 8388608) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_3 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := ((slice0shift_search_2_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_1 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_2 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_3_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_3 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_3_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_3 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_3 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_3_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_3 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_3 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_3_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_3 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_3_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_3 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_3 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_3_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_3_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_3_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_3_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_3_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_3_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_3_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_3_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_3_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_3_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_3_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_3_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_3 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_3_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_4_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_4 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_4_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_4 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_4 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_4_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_4 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_4 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_4_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_4 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_4_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_4 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_4 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_4_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_4_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_4_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_4_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_4_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_4_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_4_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_4_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_4_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_4_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_4_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_4_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_4 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_4_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_0_choice_2);
-      slice0cost_pixels_first_1_3_count_1 <= as_number(slice0cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_3_count_2_choice) + as_number(slice0cost_pixels_first_1_3_count_2_choice_2);
-      slice0cost_pixels_first_1_3_count_3 <= as_number(slice0cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_3);
-      slice0cost_pixels_first_1_3_count_4 <= as_number(slice0cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_3);
-      slice0cost_pixels_first_1_3_count_5 <= as_number(slice0cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_3);
-      slice0cost_pixels_first_1_3_count_6 <= as_number(slice0cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_3);
-      slice0cost_pixels_first_1_3_count_7 <= as_number(slice0cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_0_choice_2);
-      slice0cost_pixels_first_1_4_count_1 <= as_number(slice0cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_4_count_2_choice) + as_number(slice0cost_pixels_first_1_4_count_2_choice_2);
-      slice0cost_pixels_first_1_4_count_3 <= as_number(slice0cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_3);
-      slice0cost_pixels_first_1_4_count_4 <= as_number(slice0cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_3);
-      slice0cost_pixels_first_1_4_count_5 <= as_number(slice0cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_3);
-      slice0cost_pixels_first_1_4_count_6 <= as_number(slice0cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_3);
-      slice0cost_pixels_first_1_4_count_7 <= as_number(slice0cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_0_choice_2);
-      slice0cost_pixels_first_2_3_count_1 <= as_number(slice0cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_3_count_2_choice) + as_number(slice0cost_pixels_first_2_3_count_2_choice_2);
-      slice0cost_pixels_first_2_3_count_3 <= as_number(slice0cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_3);
-      slice0cost_pixels_first_2_3_count_4 <= as_number(slice0cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_3);
-      slice0cost_pixels_first_2_3_count_5 <= as_number(slice0cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_3);
-      slice0cost_pixels_first_2_3_count_6 <= as_number(slice0cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_3);
-      slice0cost_pixels_first_2_3_count_7 <= as_number(slice0cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_0_choice_2);
-      slice0cost_pixels_first_2_4_count_1 <= as_number(slice0cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_4_count_2_choice) + as_number(slice0cost_pixels_first_2_4_count_2_choice_2);
-      slice0cost_pixels_first_2_4_count_3 <= as_number(slice0cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_3);
-      slice0cost_pixels_first_2_4_count_4 <= as_number(slice0cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_3);
-      slice0cost_pixels_first_2_4_count_5 <= as_number(slice0cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_3);
-      slice0cost_pixels_first_2_4_count_6 <= as_number(slice0cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_3);
-      slice0cost_pixels_first_2_4_count_7 <= as_number(slice0cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4878,23 +3767,40 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_3 +
-        slice0cost_pixels_cost_0_3 + slice0cost_pixels_cost_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_4 +
-        slice0cost_pixels_cost_0_4 + slice0cost_pixels_cost_1_4;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4984,1151 +3890,548 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_4;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := ((slice1shift_search_0_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := ((slice1shift_search_0_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_search_0_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not ((slice1shift_search_0_0 / 8388608) = 1) when
-        (slice1shift_reference_0 / 8388608) = 1 else (slice1shift_search_0_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := ((slice1shift_search_0_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_1 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_2 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_3 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_3 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_3 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_3 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_3 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_3 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_3 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_3 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_3 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_4 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_4 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_4 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_4 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_4 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_4 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_4 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_4 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_4 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
-        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
-      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
-        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
-        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
-        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
-      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
-        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
-        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
-      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
-        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
-        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
-        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
-      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
-        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
-        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
-      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
-        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
-      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
-        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
-        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
-      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
-        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
-      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
-        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value_2 when
-        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
-      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_4 := ((slice1shift_search_1_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_4 when
-        slice1cost_pixels_first_1_0_count_6_value_3 else slice1cost_pixels_first_1_0_count_6_value_4;
-      slice1cost_pixels_first_1_0_count_6_value_5 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_6 := ((slice1shift_search_1_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_6 when
-        slice1cost_pixels_first_1_0_count_6_value_5 else slice1cost_pixels_first_1_0_count_6_value_6;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_search_1_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value_2 when
-        slice1cost_pixels_first_1_0_count_7_value else slice1cost_pixels_first_1_0_count_7_value_2;
-      slice1cost_pixels_first_1_0_count_7_choice_2 := not ((slice1shift_search_1_0 / 8388608) = 1) when
-        (slice1shift_reference_1 / 8388608) = 1 else (slice1shift_search_1_0 / 8388608) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_4 := ((slice1shift_search_1_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_4 when
-        slice1cost_pixels_first_1_0_count_7_value_3 else slice1cost_pixels_first_1_0_count_7_value_4;
-      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_1_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_1_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_1_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_1_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_1 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_1_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_2_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_2_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_2_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_2_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_2 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_2_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_3_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_3 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_3_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_3 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_3 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_3_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_3 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_3 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_3_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_3 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_3_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_3 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_3 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_3_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_3_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_3_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_3_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_3_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_3_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_3_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_3_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_3_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_3_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_3_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_3_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_3 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_3_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_4_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_4 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_4_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_4 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_4 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_4_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_4 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_4 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_4_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_4 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_4_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_4 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_4 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_4_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_4_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_4_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_4_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_4_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_4_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_4_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_4_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_4_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_4_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_4_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_4_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_4 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_4_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
-        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
-      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
-        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
-        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
-        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
-      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
-        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
-        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
-      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
-        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
-        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
-        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
-      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
-        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
-        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
-      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
-        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
-      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
-        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
-        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
-      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
-        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
-      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
-        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value_2 when
-        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
-      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_4 := ((slice1shift_search_2_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_4 when
-        slice1cost_pixels_first_2_0_count_6_value_3 else slice1cost_pixels_first_2_0_count_6_value_4;
-      slice1cost_pixels_first_2_0_count_6_value_5 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_6 := ((slice1shift_search_2_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_6 when
-        slice1cost_pixels_first_2_0_count_6_value_5 else slice1cost_pixels_first_2_0_count_6_value_6;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_search_2_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value_2 when
-        slice1cost_pixels_first_2_0_count_7_value else slice1cost_pixels_first_2_0_count_7_value_2;
-      slice1cost_pixels_first_2_0_count_7_choice_2 := not ((slice1shift_search_2_0 / 8388608) = 1) when
-        (slice1shift_reference_2 / 8388608) = 1 else (slice1shift_search_2_0 / 8388608) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_3 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_4 := ((slice1shift_search_2_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_4 when
-        slice1cost_pixels_first_2_0_count_7_value_3 else slice1cost_pixels_first_2_0_count_7_value_4;
-      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_1_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_1_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_1_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_1_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_1 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_1_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_2_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_2_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_2_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_2_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_2 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_2_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_3_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_3 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_3_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_3 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_3 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_3_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_3 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_3 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_3_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_3 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_3_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_3 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_3 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_3_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_3_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_3_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_3_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_3_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_3_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_3_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_3_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_3_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_3_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_3_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_3_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_3 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_3_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_4_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_4 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_4_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_4 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_4 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_4_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_4 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_4 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_4_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_4 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_4_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_4 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_4 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_4_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_4_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_4_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_4_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_4_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_4_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_4_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_4_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_4_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_4_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_4_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_4_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_4 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_4_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
-      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
-      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
-      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
-      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
-      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_3);
-      slice1cost_pixels_first_1_0_count_7 <= as_number(slice1cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
-      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
-      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
-      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
-      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
-      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_3);
-      slice1cost_pixels_first_1_1_count_7 <= as_number(slice1cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
-      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
-      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
-      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
-      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
-      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_3);
-      slice1cost_pixels_first_1_2_count_7 <= as_number(slice1cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_0_choice_2);
-      slice1cost_pixels_first_1_3_count_1 <= as_number(slice1cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_3_count_2_choice) + as_number(slice1cost_pixels_first_1_3_count_2_choice_2);
-      slice1cost_pixels_first_1_3_count_3 <= as_number(slice1cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_3);
-      slice1cost_pixels_first_1_3_count_4 <= as_number(slice1cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_3);
-      slice1cost_pixels_first_1_3_count_5 <= as_number(slice1cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_3);
-      slice1cost_pixels_first_1_3_count_6 <= as_number(slice1cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_3);
-      slice1cost_pixels_first_1_3_count_7 <= as_number(slice1cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_0_choice_2);
-      slice1cost_pixels_first_1_4_count_1 <= as_number(slice1cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_4_count_2_choice) + as_number(slice1cost_pixels_first_1_4_count_2_choice_2);
-      slice1cost_pixels_first_1_4_count_3 <= as_number(slice1cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_3);
-      slice1cost_pixels_first_1_4_count_4 <= as_number(slice1cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_3);
-      slice1cost_pixels_first_1_4_count_5 <= as_number(slice1cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_3);
-      slice1cost_pixels_first_1_4_count_6 <= as_number(slice1cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_3);
-      slice1cost_pixels_first_1_4_count_7 <= as_number(slice1cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
-      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
-      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
-      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
-      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
-      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_3);
-      slice1cost_pixels_first_2_0_count_7 <= as_number(slice1cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
-      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
-      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
-      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
-      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
-      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_3);
-      slice1cost_pixels_first_2_1_count_7 <= as_number(slice1cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
-      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
-      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
-      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
-      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
-      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_3);
-      slice1cost_pixels_first_2_2_count_7 <= as_number(slice1cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_0_choice_2);
-      slice1cost_pixels_first_2_3_count_1 <= as_number(slice1cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_3_count_2_choice) + as_number(slice1cost_pixels_first_2_3_count_2_choice_2);
-      slice1cost_pixels_first_2_3_count_3 <= as_number(slice1cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_3);
-      slice1cost_pixels_first_2_3_count_4 <= as_number(slice1cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_3);
-      slice1cost_pixels_first_2_3_count_5 <= as_number(slice1cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_3);
-      slice1cost_pixels_first_2_3_count_6 <= as_number(slice1cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_3);
-      slice1cost_pixels_first_2_3_count_7 <= as_number(slice1cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_0_choice_2);
-      slice1cost_pixels_first_2_4_count_1 <= as_number(slice1cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_4_count_2_choice) + as_number(slice1cost_pixels_first_2_4_count_2_choice_2);
-      slice1cost_pixels_first_2_4_count_3 <= as_number(slice1cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_3);
-      slice1cost_pixels_first_2_4_count_4 <= as_number(slice1cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_3);
-      slice1cost_pixels_first_2_4_count_5 <= as_number(slice1cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_3);
-      slice1cost_pixels_first_2_4_count_6 <= as_number(slice1cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_3);
-      slice1cost_pixels_first_2_4_count_7 <= as_number(slice1cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
         slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
         + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
@@ -6189,16 +4492,21 @@ begin
         slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
         + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
         slice1cost_pixels_first_2_4_count_1;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_0 +
-        slice1cost_pixels_cost_0_0 + slice1cost_pixels_cost_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_1 +
-        slice1cost_pixels_cost_0_1 + slice1cost_pixels_cost_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_2 +
-        slice1cost_pixels_cost_0_2 + slice1cost_pixels_cost_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_3 +
-        slice1cost_pixels_cost_0_3 + slice1cost_pixels_cost_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_4 +
-        slice1cost_pixels_cost_0_4 + slice1cost_pixels_cost_1_4;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -6243,539 +4551,260 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := ((slice2shift_search_0_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := ((slice2shift_search_0_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_search_0_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not ((slice2shift_search_0_0 / 8388608) = 1) when
-        (slice2shift_reference_0 / 8388608) = 1 else (slice2shift_search_0_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := ((slice2shift_search_0_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        ((slice2shift_search_0_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        ((slice2shift_search_0_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        ((slice2shift_search_0_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not ((slice2shift_reference_0 / 8388608) = 1) when
-        (slice2shift_search_0_1 / 8388608) = 1 else (slice2shift_reference_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        ((slice2shift_search_0_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
-        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
-      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
-        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
-        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
-        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
-      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
-        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
-        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
-      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
-        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
-        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
-        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
-      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
-        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
-        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
-      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
-        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
-      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
-        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
-        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
-      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
-        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
-      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
-        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value_2 when
-        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
-      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_4 := ((slice2shift_search_1_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_4 when
-        slice2cost_pixels_first_1_0_count_6_value_3 else slice2cost_pixels_first_1_0_count_6_value_4;
-      slice2cost_pixels_first_1_0_count_6_value_5 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_6 := ((slice2shift_search_1_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_6 when
-        slice2cost_pixels_first_1_0_count_6_value_5 else slice2cost_pixels_first_1_0_count_6_value_6;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_search_1_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value_2 when
-        slice2cost_pixels_first_1_0_count_7_value else slice2cost_pixels_first_1_0_count_7_value_2;
-      slice2cost_pixels_first_1_0_count_7_choice_2 := not ((slice2shift_search_1_0 / 8388608) = 1) when
-        (slice2shift_reference_1 / 8388608) = 1 else (slice2shift_search_1_0 / 8388608) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_4 := ((slice2shift_search_1_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_4 when
-        slice2cost_pixels_first_1_0_count_7_value_3 else slice2cost_pixels_first_1_0_count_7_value_4;
-      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
-        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
-      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
-        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
-        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
-      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
-        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
-        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
-      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
-        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
-      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
-        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
-        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
-      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
-        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
-        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
-      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
-        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
-      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
-        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
-      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
-        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
-      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
-        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
-      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
-        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
-      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
-        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
-      slice2cost_pixels_first_1_1_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value when
-        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
-      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_3 when
-        ((slice2shift_search_1_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_3;
-      slice2cost_pixels_first_1_1_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_5 when
-        ((slice2shift_search_1_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_5;
-      slice2cost_pixels_first_1_1_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value when
-        ((slice2shift_search_1_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value;
-      slice2cost_pixels_first_1_1_count_7_choice_2 := not ((slice2shift_reference_1 / 8388608) = 1) when
-        (slice2shift_search_1_1 / 8388608) = 1 else (slice2shift_reference_1 / 8388608) = 1;
-      slice2cost_pixels_first_1_1_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_3 when
-        ((slice2shift_search_1_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value_3;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
-        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
-      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
-        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
-        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
-        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
-      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
-        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
-        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
-      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
-        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
-        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
-        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
-      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
-        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
-        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
-      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
-        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
-      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
-        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
-        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
-      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
-        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
-      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
-        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value_2 when
-        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
-      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_4 := ((slice2shift_search_2_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_4 when
-        slice2cost_pixels_first_2_0_count_6_value_3 else slice2cost_pixels_first_2_0_count_6_value_4;
-      slice2cost_pixels_first_2_0_count_6_value_5 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_6 := ((slice2shift_search_2_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_6 when
-        slice2cost_pixels_first_2_0_count_6_value_5 else slice2cost_pixels_first_2_0_count_6_value_6;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_search_2_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value_2 when
-        slice2cost_pixels_first_2_0_count_7_value else slice2cost_pixels_first_2_0_count_7_value_2;
-      slice2cost_pixels_first_2_0_count_7_choice_2 := not ((slice2shift_search_2_0 / 8388608) = 1) when
-        (slice2shift_reference_2 / 8388608) = 1 else (slice2shift_search_2_0 / 8388608) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_3 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_4 := ((slice2shift_search_2_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_4 when
-        slice2cost_pixels_first_2_0_count_7_value_3 else slice2cost_pixels_first_2_0_count_7_value_4;
-      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
-        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
-      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
-        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
-        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
-      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
-        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
-        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
-      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
-        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
-      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
-        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
-        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
-      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
-        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
-        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
-      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
-        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
-      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
-        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
-      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
-        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
-      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
-        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
-      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
-        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
-      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
-        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
-      slice2cost_pixels_first_2_1_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value when
-        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
-      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_3 when
-        ((slice2shift_search_2_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_3;
-      slice2cost_pixels_first_2_1_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_5 when
-        ((slice2shift_search_2_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_5;
-      slice2cost_pixels_first_2_1_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value when
-        ((slice2shift_search_2_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value;
-      slice2cost_pixels_first_2_1_count_7_choice_2 := not ((slice2shift_reference_2 / 8388608) = 1) when
-        (slice2shift_search_2_1 / 8388608) = 1 else (slice2shift_reference_2 / 8388608) = 1;
-      slice2cost_pixels_first_2_1_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_3 when
-        ((slice2shift_search_2_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value_3;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
-      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
-      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
-      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
-      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
-      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_3);
-      slice2cost_pixels_first_1_0_count_7 <= as_number(slice2cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
-      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
       slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
-      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
-      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
-      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
-      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_3);
-      slice2cost_pixels_first_1_1_count_7 <= as_number(slice2cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
-      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
-      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
-      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
-      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
-      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_3);
-      slice2cost_pixels_first_2_0_count_7 <= as_number(slice2cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
-      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
       slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
-      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
-      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
-      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
-      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_3);
-      slice2cost_pixels_first_2_1_count_7 <= as_number(slice2cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
         slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
         + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
@@ -6800,10 +4829,12 @@ begin
         slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
         + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
         slice2cost_pixels_first_2_1_count_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_0 +
-        slice2cost_pixels_cost_0_0 + slice2cost_pixels_cost_1_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_1 +
-        slice2cost_pixels_cost_0_1 + slice2cost_pixels_cost_1_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -6851,7 +4882,7 @@ begin
         slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_address_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_complete and entry_order_output;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -6869,19 +4900,14 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
       if entry_order_address_all_2 then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
-      end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_2_start_of_frame;
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
       end if;
       if not entry_order_inside then
         entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
@@ -6889,18 +4915,23 @@ begin
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
+      if entry_order_address_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_turned_output_column_all;
+      end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when forward_left_cost_2 < forward_left_cost_0 else
+      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when forward_left_cost_3 < forward_left_cost_1 else
+      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when forward_left_cost_6 < forward_left_cost_4 else
+      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when forward_left_cost_7 < forward_left_cost_5 else
+      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when forward_left_cost_10 < forward_left_cost_8 else
+      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when forward_left_cost_11 < forward_left_cost_9 else
+      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
@@ -6922,69 +4953,69 @@ begin
       end if;
       forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
         forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when forward_left_arrived_0 < forward_left_cost_0 else
+      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
       forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when forward_left_arrived_1 < forward_left_cost_1 else
+      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
       forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when forward_left_arrived_2 < forward_left_cost_2 else
+      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when forward_left_arrived_3 < forward_left_cost_3 else
+      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when forward_left_arrived_4 < forward_left_cost_4 else
+      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
       forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when forward_left_arrived_5 < forward_left_cost_5 else
+      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
       forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when forward_left_arrived_6 < forward_left_cost_6 else
+      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when forward_left_arrived_7 < forward_left_cost_7 else
+      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when forward_left_arrived_8 < forward_left_cost_8 else
+      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
       forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when forward_left_arrived_9 < forward_left_cost_9 else
+      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when forward_left_arrived_10 < forward_left_cost_10 else
-        forward_left_cost_10;
+      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
+        else forward_left_cost_10;
       forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when forward_left_arrived_11 < forward_left_cost_11 else
-        forward_left_cost_11;
+      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
+        else forward_left_cost_11;
       forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
       forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
       forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
       forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when forward_left_cost_4 < forward_left_cost_2 else
+      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when forward_left_cost_5 < forward_left_cost_3 else
+      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
       forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
       forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when forward_left_cost_8 < forward_left_cost_6 else
+      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when forward_left_cost_9 < forward_left_cost_7 else
+      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
       forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
@@ -7015,44 +5046,46 @@ begin
       forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
         downto 25));
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when entry_cost_1 < entry_cost_0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when entry_cost_3 < entry_cost_2 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when entry_cost_5 < entry_cost_4 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when entry_cost_7 < entry_cost_6 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when entry_cost_9 < entry_cost_8 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when entry_cost_11 < entry_cost_10 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when forward_smallest_smallest_1 <
-          forward_smallest_smallest_0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when forward_smallest_smallest_3 <
-          forward_smallest_smallest_2 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when forward_smallest_smallest_5 <
-          forward_smallest_smallest_4 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when forward_smallest_next_smallest_1
-          < forward_smallest_next_smallest_0 else forward_smallest_next_smallest_0;
+        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
+          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
+          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
+          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
+          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
+          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
         forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          forward_smallest_next_next_smallest_1 < forward_smallest_next_next_smallest_0 else
+          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
-        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_cost_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
         forward_left_pair_2 <= forward_left_pair_2_choice;
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when forward_left_pair_1 < forward_left_pair_0 else
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
           forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when forward_left_pair_3 < forward_left_pair_2 else
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
           forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when forward_left_pair_5 < forward_left_pair_4 else
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
           forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when forward_left_tree_smallest_1 <
-          forward_left_tree_smallest_0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
+          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          forward_left_tree_next_smallest_1 < forward_left_tree_next_smallest_0 else forward_left_tree_next_smallest_0;
+          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
+          forward_left_tree_next_smallest_0;
         forward_left_start_cost_0 <= 22 when sums_tags_held_3_first_column else forward_left_start_cost_0_choice_2;
         forward_left_start_cost_1 <= 0 when sums_tags_held_3_first_column else forward_left_start_cost_0;
         forward_left_start_cost_2 <= 0 when sums_tags_held_3_first_column else forward_left_start_cost_1;
@@ -7064,8 +5097,8 @@ begin
           forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
-        forward_left_first_0 <= forward_first_3;
-        forward_left_first_1 <= forward_first_4;
+        forward_left_first_0 <= sums_tags_held_3_first_column;
+        forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
         forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
@@ -7144,34 +5177,34 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
-          forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
-          forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
-          forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
-          forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
-          forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
-          else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
-          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
-          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
-          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
         forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
           forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
         forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
-        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_above_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
         forward_above_cost_1 <= (to_integer(forward_above_delay_held_0(29 downto 6)) - forward_above_smallest_copy_0)
@@ -7195,25 +5228,25 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
           forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
           forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
           forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
@@ -7259,7 +5292,7 @@ begin
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_comes_9 <= sums_turn_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -7286,7 +5319,7 @@ begin
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
-        forward_first_4 <= sums_tags_held_3_first_column;
+        forward_first_4 <= forward_first_3;
         forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
         forward_cost_0_1 <= to_integer(forward_cost_delay_held_0(7 downto 0)) / 16;
         forward_cost_0_2 <= to_integer(forward_cost_delay_held_0(11 downto 8));
@@ -7335,35 +5368,36 @@ begin
         forward_cost_3_9 <= forward_cost_2_9;
         forward_cost_3_10 <= forward_cost_2_10;
         forward_cost_3_11 <= forward_cost_2_11;
-        forward_smallest_cost_1 <= forward_left_smallest;
+        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
+        forward_smallest_cost_1 <= forward_smallest_cost_0;
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
-      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
-        forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
-        else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
-        else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
-        else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
-        else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
-        else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
-        else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
-        else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
-        else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
-        else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
-        else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
-        else forward_above_stay_7;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
       forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
       if forward_above_write_words_0_all then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
@@ -7381,12 +5415,18 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when sums_right_cost_2 < sums_right_cost_0 else sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when sums_right_cost_3 < sums_right_cost_1 else sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when sums_right_cost_6 < sums_right_cost_4 else sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when sums_right_cost_7 < sums_right_cost_5 else sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when sums_right_cost_10 < sums_right_cost_8 else sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when sums_right_cost_11 < sums_right_cost_9 else sums_right_cost_9;
+      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
@@ -7405,69 +5445,69 @@ begin
         sums_right_room_choice := sums_right_room;
       end if;
       sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when sums_right_arrived_0 < sums_right_cost_0 else
+      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
       sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when sums_right_arrived_1 < sums_right_cost_1 else
+      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
       sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when sums_right_arrived_2 < sums_right_cost_2 else
+      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when sums_right_arrived_3 < sums_right_cost_3 else
+      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when sums_right_arrived_4 < sums_right_cost_4 else
+      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
       sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when sums_right_arrived_5 < sums_right_cost_5 else
+      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
       sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when sums_right_arrived_6 < sums_right_cost_6 else
+      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when sums_right_arrived_7 < sums_right_cost_7 else
+      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when sums_right_arrived_8 < sums_right_cost_8 else
+      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
       sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when sums_right_arrived_9 < sums_right_cost_9 else
+      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
       sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when sums_right_arrived_10 < sums_right_cost_10 else
+      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
       sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when sums_right_arrived_11 < sums_right_cost_11 else
+      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
       sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or sums_right_first_2 else
         sums_right_cost_11_choice;
       sums_right_arrived_0_choice := 32 when sums_right_first_2 else sums_right_cost_1;
       sums_right_arrived_1_choice := 32 when sums_right_first_2 else sums_right_pair_0_choice;
       sums_right_arrived_2_choice := 32 when sums_right_first_2 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when sums_right_cost_4 < sums_right_cost_2 else
+      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_arrived_3_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when sums_right_cost_5 < sums_right_cost_3 else
+      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_arrived_4_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_4_choice;
       sums_right_arrived_5_choice := 32 when sums_right_first_2 else sums_right_pair_2_choice;
       sums_right_arrived_6_choice := 32 when sums_right_first_2 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when sums_right_cost_8 < sums_right_cost_6 else
+      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_arrived_7_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when sums_right_cost_9 < sums_right_cost_7 else
+      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_arrived_8_choice_2 := 32 when sums_right_first_2 else sums_right_arrived_8_choice;
       sums_right_arrived_9_choice := 32 when sums_right_first_2 else sums_right_pair_4_choice;
@@ -7486,6 +5526,10 @@ begin
         sums_turn_comes_2 <= sums_turn_comes_1;
         sums_turn_comes_3 <= sums_turn_comes_2;
         sums_turn_comes_4 <= sums_turn_comes_3;
+        sums_turn_comes_5 <= forward_above_comes_4;
+        sums_turn_comes_6 <= sums_turn_comes_5;
+        sums_turn_comes_7 <= sums_turn_comes_6;
+        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -7525,17 +5569,17 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when sums_right_pair_1 < sums_right_pair_0 else
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
           sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when sums_right_pair_3 < sums_right_pair_2 else
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
           sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when sums_right_pair_5 < sums_right_pair_4 else
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
           sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when sums_right_tree_smallest_1 <
-          sums_right_tree_smallest_0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
+          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when sums_right_tree_next_smallest_1 <
-          sums_right_tree_next_smallest_0 else sums_right_tree_next_smallest_0;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
+          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
         sums_right_start_cost_0 <= 22 when sums_turn_ready_first else sums_right_start_cost_0_choice_2;
         sums_right_start_cost_1 <= 0 when sums_turn_ready_first else sums_right_start_cost_0;
         sums_right_start_cost_2 <= 0 when sums_turn_ready_first else sums_right_start_cost_1;
@@ -7654,7 +5698,7 @@ begin
       sums_tag_valid <= sums_tags_moved;
       sums_tag_map_column <= forward_above_comes_4;
       sums_tag_output_column <= sums_tags_held_4_output_column;
-      sums_tag_first_column <= forward_left_first_0;
+      sums_tag_first_column <= forward_first_4;
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
@@ -8251,12 +6295,24 @@ begin
         winnersother_cost_0_1_value_5) and winnerswinner1_best_index_0_5_value_4;
       winnerswinner1_best_index_0_5_choice_7 := (not ((sums_sum_0_10 / 64) = 1)) or ((sums_sum_0_11 / 64) = 1) when
         winnerswinner1_best_index_0_5_choice_6 else (not ((sums_sum_0_10 / 64) = 1)) and ((sums_sum_0_11 / 64) = 1);
-      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
-      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
-      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
-      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
-      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
-      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
+      winnerswinner1_held_0_0 <= sums_sum_0_0;
+      winnerswinner1_held_0_1 <= sums_sum_0_1;
+      winnerswinner1_held_0_2 <= sums_sum_0_2;
+      winnerswinner1_held_0_3 <= sums_sum_0_3;
+      winnerswinner1_held_0_4 <= sums_sum_0_4;
+      winnerswinner1_held_0_5 <= sums_sum_0_5;
+      winnerswinner1_held_0_6 <= sums_sum_0_6;
+      winnerswinner1_held_0_7 <= sums_sum_0_7;
+      winnerswinner1_held_0_8 <= sums_sum_0_8;
+      winnerswinner1_held_0_9 <= sums_sum_0_9;
+      winnerswinner1_held_0_10 <= sums_sum_0_10;
+      winnerswinner1_held_0_11 <= sums_sum_0_11;
+      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when (sums_sum_0_1 - sums_sum_0_0) < 0 else sums_sum_0_0;
+      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when (sums_sum_0_3 - sums_sum_0_2) < 0 else sums_sum_0_2;
+      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when (sums_sum_0_5 - sums_sum_0_4) < 0 else sums_sum_0_4;
+      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when (sums_sum_0_7 - sums_sum_0_6) < 0 else sums_sum_0_6;
+      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when (sums_sum_0_9 - sums_sum_0_8) < 0 else sums_sum_0_8;
+      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when (sums_sum_0_11 - sums_sum_0_10) < 0 else sums_sum_0_10;
       winnerswinner1_best_index_0_0 <= winnerswinner1_best_index_0_0_choice_7;
       winnerswinner1_best_index_0_1 <= 2 when winnerswinner1_best_index_0_1_choice_7 else 3;
       winnerswinner1_best_index_0_2 <= 4 when winnerswinner1_best_index_0_2_choice_7 else 5;
@@ -8275,19 +6331,22 @@ begin
       winnerswinner1_best_above_0_3 <= sums_sum_0_7 when winnerswinner1_best_index_0_3_choice_7 else 0;
       winnerswinner1_best_above_0_4 <= sums_sum_0_9 when winnerswinner1_best_index_0_4_choice_7 else 0;
       winnerswinner1_best_above_0_5 <= sums_sum_0_11 when winnerswinner1_best_index_0_5_choice_7 else 0;
-      winnerswinner1_best_first_0_0 <= sums_sum_0_0;
-      winnerswinner1_best_first_0_1 <= sums_sum_0_2;
-      winnerswinner1_best_first_0_2 <= sums_sum_0_4;
-      winnerswinner1_best_first_0_3 <= sums_sum_0_6;
-      winnerswinner1_best_first_0_4 <= sums_sum_0_8;
-      winnerswinner1_best_first_0_5 <= sums_sum_0_10;
-      winnerswinner1_best_last_0_0 <= sums_sum_0_1;
-      winnerswinner1_best_last_0_1 <= sums_sum_0_3;
-      winnerswinner1_best_last_0_2 <= sums_sum_0_5;
-      winnerswinner1_best_last_0_3 <= sums_sum_0_7;
-      winnerswinner1_best_last_0_4 <= sums_sum_0_9;
-      winnerswinner1_best_last_0_5 <= sums_sum_0_11;
-      winnerswinner1_best_second_0_0 <= 127;
+      winnerswinner1_best_late_cost_0_0 <= winnerswinner1_best_cost_0_0;
+      winnerswinner1_best_late_cost_0_1 <= winnerswinner1_best_cost_0_1;
+      winnerswinner1_best_late_cost_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner1_best_late_cost_0_3 <= winnerswinner1_best_cost_0_3;
+      winnerswinner1_best_late_cost_0_4 <= winnerswinner1_best_cost_0_4;
+      winnerswinner1_best_late_cost_0_5 <= winnerswinner1_best_cost_0_5;
+      winnerswinner1_best_but_first_0_1 <= winnerswinner1_held_0_3;
+      winnerswinner1_best_but_first_0_2 <= winnerswinner1_held_0_5;
+      winnerswinner1_best_but_first_0_3 <= winnerswinner1_held_0_7;
+      winnerswinner1_best_but_first_0_4 <= winnerswinner1_held_0_9;
+      winnerswinner1_best_but_first_0_5 <= winnerswinner1_held_0_11;
+      winnerswinner1_best_but_last_0_0 <= winnerswinner1_held_0_0;
+      winnerswinner1_best_but_last_0_1 <= winnerswinner1_held_0_2;
+      winnerswinner1_best_but_last_0_2 <= winnerswinner1_held_0_4;
+      winnerswinner1_best_but_last_0_3 <= winnerswinner1_held_0_6;
+      winnerswinner1_best_but_last_0_4 <= winnerswinner1_held_0_8;
       winnerswinner1_tag_valid <= sums_tag_valid;
       winnerswinner1_tag_map_column <= sums_tag_map_column;
       winnerswinner1_tag_output_column <= sums_tag_output_column;
@@ -8315,9 +6374,9 @@ begin
       winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
         (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_choice_7 := (not ((winnerswinner1_best_cost_0_0 / 64) = 1)) or
-        ((winnerswinner1_best_cost_0_1 / 64) = 1) when winnerswinner2_best_index_0_0_choice_6 else (not
-        ((winnerswinner1_best_cost_0_0 / 64) = 1)) and ((winnerswinner1_best_cost_0_1 / 64) = 1);
+      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
       winnerswinner2_best_index_0_1_choice := not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1) when
         (winnerswinner1_best_cost_0_2 mod 2) = 1 else (winnerswinner1_best_cost_0_3 mod 4) = 0;
       winnerswinner2_best_index_0_1_choice_2 := ((winnerswinner1_best_cost_0_2 mod 2) = 1) or (not
@@ -8339,9 +6398,9 @@ begin
       winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
         (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_choice_7 := (not ((winnerswinner1_best_cost_0_2 / 64) = 1)) or
-        ((winnerswinner1_best_cost_0_3 / 64) = 1) when winnerswinner2_best_index_0_1_choice_6 else (not
-        ((winnerswinner1_best_cost_0_2 / 64) = 1)) and ((winnerswinner1_best_cost_0_3 / 64) = 1);
+      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
+        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
       winnerswinner2_best_index_0_2_choice := not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1) when
         (winnerswinner1_best_cost_0_4 mod 2) = 1 else (winnerswinner1_best_cost_0_5 mod 4) = 0;
       winnerswinner2_best_index_0_2_choice_2 := ((winnerswinner1_best_cost_0_4 mod 2) = 1) or (not
@@ -8363,85 +6422,110 @@ begin
       winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
         winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
         (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_choice_7 := (not ((winnerswinner1_best_cost_0_4 / 64) = 1)) or
+      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
+        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
+      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when other_12 else winnerswinner1_best_below_0_1;
+      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when other_13 else winnerswinner1_best_below_0_3;
+      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when other_14 else winnerswinner1_best_below_0_5;
+      winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2 when winnerswinner1_best_index_0_0 else
+        winnerswinner1_best_above_0_0;
+      winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6 when ((winnerswinner1_best_index_0_2 / 4) = 1)
+        and ((winnerswinner1_best_index_0_2 mod 2) = 1) else winnerswinner1_best_above_0_2;
+      winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10 when ((winnerswinner1_best_index_0_4 / 8) = 1)
+        and ((winnerswinner1_best_index_0_4 mod 2) = 1) else winnerswinner1_best_above_0_4;
+      winnerswinner2_best_at_start_0_0_choice := (not ((winnerswinner1_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_1 / 64) = 1) when winnerswinner2_best_index_0_0_choice_6 else (not
+        ((winnerswinner1_best_cost_0_0 / 64) = 1)) and ((winnerswinner1_best_cost_0_1 / 64) = 1);
+      winnerswinner2_best_at_start_0_1_choice := (not ((winnerswinner1_best_cost_0_2 / 64) = 1)) or
+        ((winnerswinner1_best_cost_0_3 / 64) = 1) when winnerswinner2_best_index_0_1_choice_6 else (not
+        ((winnerswinner1_best_cost_0_2 / 64) = 1)) and ((winnerswinner1_best_cost_0_3 / 64) = 1);
+      winnerswinner2_best_at_start_0_2_choice := (not ((winnerswinner1_best_cost_0_4 / 64) = 1)) or
         ((winnerswinner1_best_cost_0_5 / 64) = 1) when winnerswinner2_best_index_0_2_choice_6 else (not
         ((winnerswinner1_best_cost_0_4 / 64) = 1)) and ((winnerswinner1_best_cost_0_5 / 64) = 1);
-      winnerswinner2_best_below_0_0_choice := winnerswinner1_best_last_0_0 when other_3 else
-        winnerswinner1_best_below_0_1;
-      winnerswinner2_best_below_0_1_choice := winnerswinner1_best_last_0_2 when other_4 else
-        winnerswinner1_best_below_0_3;
-      winnerswinner2_best_below_0_2_choice := winnerswinner1_best_last_0_4 when other_5 else
-        winnerswinner1_best_below_0_5;
-      winnerswinner2_best_above_0_0_choice := winnerswinner1_best_first_0_1 when winnerswinner1_best_index_0_0 else
-        winnerswinner1_best_above_0_0;
-      winnerswinner2_best_above_0_1_all := ((winnerswinner1_best_index_0_2 / 4) = 1) and
-        ((winnerswinner1_best_index_0_2 mod 2) = 1);
-      winnerswinner2_best_above_0_1_choice := winnerswinner1_best_first_0_3 when winnerswinner2_best_above_0_1_all else
-        winnerswinner1_best_above_0_2;
-      winnerswinner2_best_above_0_2_all := ((winnerswinner1_best_index_0_4 / 8) = 1) and
-        ((winnerswinner1_best_index_0_4 mod 2) = 1);
-      winnerswinner2_best_above_0_2_choice := winnerswinner1_best_first_0_5 when winnerswinner2_best_above_0_2_all else
-        winnerswinner1_best_above_0_4;
-      winnerswinner2_best_second_0_0_choice := winnerswinner1_best_last_0_1 when winnerswinner1_best_index_0_0 else
-        winnerswinner1_best_cost_0_1;
-      winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_first_0_0 when other_3 else
-        winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_second_0_0_choice_3 := winnerswinner2_best_second_0_0_choice when
-        winnerswinner2_best_index_0_0_choice_7 else winnerswinner2_best_second_0_0_choice_2;
-      winnerswinner2_best_second_0_1_choice := winnerswinner1_best_last_0_3 when winnerswinner2_best_above_0_1_all else
-        winnerswinner1_best_cost_0_3;
-      winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_first_0_2 when other_4 else
-        winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_second_0_1_choice_3 := winnerswinner2_best_second_0_1_choice when
-        winnerswinner2_best_index_0_1_choice_7 else winnerswinner2_best_second_0_1_choice_2;
-      winnerswinner2_best_second_0_2_choice := winnerswinner1_best_last_0_5 when winnerswinner2_best_above_0_2_all else
-        winnerswinner1_best_cost_0_5;
-      winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_first_0_4 when other_5 else
-        winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_second_0_2_choice_3 := winnerswinner2_best_second_0_2_choice when
-        winnerswinner2_best_index_0_2_choice_7 else winnerswinner2_best_second_0_2_choice_2;
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0) when
-        winnerswinner2_best_index_0_0_choice_7 else winnerswinner1_best_index_0_1;
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2 when winnerswinner2_best_index_0_1_choice_7 else
-        winnerswinner1_best_index_0_3;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_4 when winnerswinner2_best_index_0_2_choice_7 else
-        winnerswinner1_best_index_0_5;
-      winnerswinner2_best_below_0_0 <= winnerswinner1_best_below_0_0 when winnerswinner2_best_index_0_0_choice_7 else
-        winnerswinner2_best_below_0_0_choice;
-      winnerswinner2_best_below_0_1 <= winnerswinner1_best_below_0_2 when winnerswinner2_best_index_0_1_choice_7 else
-        winnerswinner2_best_below_0_1_choice;
-      winnerswinner2_best_below_0_2 <= winnerswinner1_best_below_0_4 when winnerswinner2_best_index_0_2_choice_7 else
-        winnerswinner2_best_below_0_2_choice;
-      winnerswinner2_best_above_0_0 <= winnerswinner2_best_above_0_0_choice when winnerswinner2_best_index_0_0_choice_7
-        else winnerswinner1_best_above_0_1;
-      winnerswinner2_best_above_0_1 <= winnerswinner2_best_above_0_1_choice when winnerswinner2_best_index_0_1_choice_7
-        else winnerswinner1_best_above_0_3;
-      winnerswinner2_best_above_0_2 <= winnerswinner2_best_above_0_2_choice when winnerswinner2_best_index_0_2_choice_7
-        else winnerswinner1_best_above_0_5;
-      winnerswinner2_best_first_0_1 <= winnerswinner1_best_first_0_2;
-      winnerswinner2_best_first_0_2 <= winnerswinner1_best_first_0_4;
-      winnerswinner2_best_last_0_0 <= winnerswinner1_best_last_0_1;
-      winnerswinner2_best_last_0_1 <= winnerswinner1_best_last_0_3;
-      winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_3 when
-        winnerswinner2_best_second_0_0_choice_3 < winnerswinner1_best_second_0_0 else winnerswinner1_best_second_0_0;
-      winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_3 when
-        winnerswinner2_best_second_0_1_choice_3 < winnerswinner1_best_second_0_0 else winnerswinner1_best_second_0_0;
-      winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_3 when
-        winnerswinner2_best_second_0_2_choice_3 < winnerswinner1_best_second_0_0 else winnerswinner1_best_second_0_0;
-      winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_last_0_2 else winnerswinner1_best_last_0_2;
-      winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_last_0_4 else winnerswinner1_best_last_0_4;
-      winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_first_0_1 when winnerswinner1_best_first_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_first_0_3 when winnerswinner1_best_first_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
+      winnerswinner2_best_second_0_0_choice := 127 when winnerswinner2_best_place_0_0 else
+        winnerswinner1_best_late_cost_0_1;
+      winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1 when winnerswinner2_best_at_end_0_0
+        else winnerswinner2_best_second_0_0_choice;
+      winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0 when winnerswinner2_best_place_0_0
+        else 127;
+      winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0 when winnerswinner2_best_at_start_0_0
+        else winnerswinner2_best_second_0_0_choice_3;
+      winnerswinner2_best_second_0_1_choice := 127 when winnerswinner2_best_place_0_1 else
+        winnerswinner1_best_late_cost_0_3;
+      winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3 when winnerswinner2_best_at_end_0_1
+        else winnerswinner2_best_second_0_1_choice;
+      winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2 when winnerswinner2_best_place_0_1
+        else 127;
+      winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2 when winnerswinner2_best_at_start_0_1
+        else winnerswinner2_best_second_0_1_choice_3;
+      winnerswinner2_best_second_0_2_choice := 127 when winnerswinner2_best_place_0_2 else
+        winnerswinner1_best_late_cost_0_5;
+      winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5 when winnerswinner2_best_at_end_0_2
+        else winnerswinner2_best_second_0_2_choice;
+      winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4 when winnerswinner2_best_place_0_2
+        else 127;
+      winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4 when winnerswinner2_best_at_start_0_2
+        else winnerswinner2_best_second_0_2_choice_3;
+      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when (winnerswinner1_best_cost_0_1 -
+        winnerswinner1_best_cost_0_0) < 0 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when (winnerswinner1_best_cost_0_3 -
+        winnerswinner1_best_cost_0_2) < 0 else winnerswinner1_best_cost_0_2;
+      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when (winnerswinner1_best_cost_0_5 -
+        winnerswinner1_best_cost_0_4) < 0 else winnerswinner1_best_cost_0_4;
+      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
+        as_number(winnerswinner1_best_index_0_0);
+      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
+        winnerswinner1_best_index_0_2;
+      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
+        winnerswinner1_best_index_0_4;
+      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_index_0_0_choice_7
+        else winnerswinner1_best_below_0_0;
+      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_index_0_1_choice_7
+        else winnerswinner1_best_below_0_2;
+      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_index_0_2_choice_7
+        else winnerswinner1_best_below_0_4;
+      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_index_0_0_choice_7 else
+        winnerswinner2_best_above_0_0_choice;
+      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_index_0_1_choice_7 else
+        winnerswinner2_best_above_0_1_choice;
+      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_index_0_2_choice_7 else
+        winnerswinner2_best_above_0_2_choice;
+      winnerswinner2_best_first_0_1 <= winnerswinner1_held_0_4;
+      winnerswinner2_best_first_0_2 <= winnerswinner1_held_0_8;
+      winnerswinner2_best_last_0_0 <= winnerswinner1_held_0_3;
+      winnerswinner2_best_last_0_1 <= winnerswinner1_held_0_7;
+      winnerswinner2_best_place_0_0 <= winnerswinner2_best_index_0_0_choice_7;
+      winnerswinner2_best_place_0_1 <= winnerswinner2_best_index_0_1_choice_7;
+      winnerswinner2_best_place_0_2 <= winnerswinner2_best_index_0_2_choice_7;
+      winnerswinner2_best_at_start_0_0 <= (not winnerswinner2_best_at_start_0_0_choice) and other_12;
+      winnerswinner2_best_at_start_0_1 <= (not winnerswinner2_best_at_start_0_1_choice) and other_13;
+      winnerswinner2_best_at_start_0_2 <= (not winnerswinner2_best_at_start_0_2_choice) and other_14;
+      winnerswinner2_best_at_end_0_0 <= winnerswinner2_best_at_start_0_0_choice and winnerswinner1_best_index_0_0;
+      winnerswinner2_best_at_end_0_1 <= winnerswinner2_best_at_start_0_1_choice and ((winnerswinner1_best_index_0_2 /
+        4) = 1) and ((winnerswinner1_best_index_0_2 mod 2) = 1);
+      winnerswinner2_best_at_end_0_2 <= winnerswinner2_best_at_start_0_2_choice and ((winnerswinner1_best_index_0_4 /
+        8) = 1) and ((winnerswinner1_best_index_0_4 mod 2) = 1);
+      winnerswinner2_best_late_cost_0_0 <= winnerswinner2_best_cost_0_0;
+      winnerswinner2_best_late_cost_0_1 <= winnerswinner2_best_cost_0_1;
+      winnerswinner2_best_late_cost_0_2 <= winnerswinner2_best_cost_0_2;
+      winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_2 when
+        (winnerswinner2_best_second_0_0_choice_2 - winnerswinner2_best_second_0_0_choice_4) < 0 else
+        winnerswinner2_best_second_0_0_choice_4;
+      winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_2 when
+        (winnerswinner2_best_second_0_1_choice_2 - winnerswinner2_best_second_0_1_choice_4) < 0 else
+        winnerswinner2_best_second_0_1_choice_4;
+      winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_2 when
+        (winnerswinner2_best_second_0_2_choice_2 - winnerswinner2_best_second_0_2_choice_4) < 0 else
+        winnerswinner2_best_second_0_2_choice_4;
+      winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_late_cost_0_3 when (winnerswinner1_best_late_cost_0_3 -
+        winnerswinner1_best_but_first_0_2) < 0 else winnerswinner1_best_but_first_0_2;
+      winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_late_cost_0_5 when (winnerswinner1_best_late_cost_0_5 -
+        winnerswinner1_best_but_first_0_4) < 0 else winnerswinner1_best_but_first_0_4;
+      winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_but_last_0_1 when (winnerswinner1_best_but_last_0_1 -
+        winnerswinner1_best_late_cost_0_0) < 0 else winnerswinner1_best_late_cost_0_0;
+      winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_but_last_0_3 when (winnerswinner1_best_but_last_0_3 -
+        winnerswinner1_best_late_cost_0_2) < 0 else winnerswinner1_best_late_cost_0_2;
       winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
@@ -8469,108 +6553,126 @@ begin
       winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
         (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_choice_7 := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or
-        ((winnerswinner2_best_cost_0_1 / 64) = 1) when winnerswinner3_best_index_0_0_choice_6 else (not
-        ((winnerswinner2_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_cost_0_1 / 64) = 1);
+      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
+        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
       winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0_1 = 4;
       winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0 when winnerswinner3_best_below_0_0_is_equal
         else winnerswinner2_best_below_0_1;
       winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0_0 = 3;
       winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1 when winnerswinner3_best_above_0_0_is_equal
         else winnerswinner2_best_above_0_0;
-      winnerswinner3_best_second_0_0_choice := winnerswinner2_best_but_first_0_1 when
-        winnerswinner3_best_above_0_0_is_equal else winnerswinner2_best_cost_0_1;
-      winnerswinner3_best_second_0_0_choice_2 := winnerswinner3_best_second_0_0_choice when
-        winnerswinner3_best_second_0_0_choice < winnerswinner2_best_second_0_0 else winnerswinner2_best_second_0_0;
-      winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_but_last_0_0 when
-        winnerswinner3_best_below_0_0_is_equal else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_second_0_0_choice_4 := winnerswinner3_best_second_0_0_choice_3 when
-        winnerswinner3_best_second_0_0_choice_3 < winnerswinner2_best_second_0_1 else winnerswinner2_best_second_0_1;
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0 when winnerswinner3_best_index_0_0_choice_7 else
-        winnerswinner2_best_index_0_1;
+      winnerswinner3_best_at_start_0_0_choice := (not ((winnerswinner2_best_cost_0_0 / 64) = 1)) or
+        ((winnerswinner2_best_cost_0_1 / 64) = 1) when winnerswinner3_best_index_0_0_choice_6 else (not
+        ((winnerswinner2_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_cost_0_1 / 64) = 1);
+      winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1 when winnerswinner3_best_place_0_0 else
+        winnerswinner2_best_late_cost_0_1;
+      winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1 when winnerswinner3_best_at_end_0_0
+        else winnerswinner3_best_second_0_0_choice;
+      winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_late_cost_0_0 when winnerswinner3_best_place_0_0
+        else winnerswinner2_best_second_0_0;
+      winnerswinner3_best_second_0_0_choice_4 := winnerswinner2_best_but_last_0_0 when winnerswinner3_best_at_start_0_0
+        else winnerswinner3_best_second_0_0_choice_3;
+      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when (winnerswinner2_best_cost_0_1 -
+        winnerswinner2_best_cost_0_0) < 0 else winnerswinner2_best_cost_0_0;
+      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
+        winnerswinner2_best_index_0_0;
       winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_best_below_0_0 <= winnerswinner2_best_below_0_0 when winnerswinner3_best_index_0_0_choice_7 else
-        winnerswinner3_best_below_0_0_choice;
+      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_index_0_0_choice_7
+        else winnerswinner2_best_below_0_0;
       winnerswinner3_best_below_0_1 <= winnerswinner2_best_below_0_2;
-      winnerswinner3_best_above_0_0 <= winnerswinner3_best_above_0_0_choice when winnerswinner3_best_index_0_0_choice_7
-        else winnerswinner2_best_above_0_1;
+      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_index_0_0_choice_7 else
+        winnerswinner3_best_above_0_0_choice;
       winnerswinner3_best_above_0_1 <= winnerswinner2_best_above_0_2;
       winnerswinner3_best_first_0_1 <= winnerswinner2_best_first_0_2;
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0_1;
+      winnerswinner3_best_place_0_0 <= winnerswinner3_best_index_0_0_choice_7;
+      winnerswinner3_best_at_start_0_0 <= (not winnerswinner3_best_at_start_0_0_choice) and
+        winnerswinner3_best_below_0_0_is_equal;
+      winnerswinner3_best_at_end_0_0 <= winnerswinner3_best_at_start_0_0_choice and
+        winnerswinner3_best_above_0_0_is_equal;
+      winnerswinner3_best_late_cost_0_0 <= winnerswinner3_best_cost_0_0;
+      winnerswinner3_best_late_cost_0_1 <= winnerswinner2_best_late_cost_0_2;
       winnerswinner3_best_second_0_0 <= winnerswinner3_best_second_0_0_choice_2 when
-        winnerswinner3_best_index_0_0_choice_7 else winnerswinner3_best_second_0_0_choice_4;
+        (winnerswinner3_best_second_0_0_choice_2 - winnerswinner3_best_second_0_0_choice_4) < 0 else
+        winnerswinner3_best_second_0_0_choice_4;
       winnerswinner3_best_second_0_1 <= winnerswinner2_best_second_0_2;
       winnerswinner3_best_but_first_0_1 <= winnerswinner2_best_but_first_0_2;
-      winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_but_last_0_1 when winnerswinner2_best_but_last_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
+      winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_but_last_0_1 when (winnerswinner2_best_but_last_0_1 -
+        winnerswinner2_best_late_cost_0_0) < 0 else winnerswinner2_best_late_cost_0_0;
       winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
       winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
       winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
       winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- winnerswinner4
-      winnerswinner4_best_index_0_0_choice := not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1) when
-        (winnerswinner3_best_cost_0_0 mod 2) = 1 else (winnerswinner3_best_cost_0_1 mod 4) = 0;
+      winnerswinner4_best_index_0_0_choice := not (((winnerswinner2_best_late_cost_0_2 / 2) mod 2) = 1) when
+        (winnerswinner3_best_cost_0_0 mod 2) = 1 else (winnerswinner2_best_late_cost_0_2 mod 4) = 0;
       winnerswinner4_best_index_0_0_choice_2 := ((winnerswinner3_best_cost_0_0 mod 2) = 1) or (not
-        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when
-        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else winnerswinner4_best_index_0_0_choice;
-      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
+        (((winnerswinner2_best_late_cost_0_2 / 2) mod 2) = 1)) or (not ((winnerswinner2_best_late_cost_0_2 mod 2) = 1))
+        when ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else winnerswinner4_best_index_0_0_choice;
+      winnerswinner4_best_index_0_0_value := ((winnerswinner2_best_late_cost_0_2 / 4) mod 2) = 1;
       winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
         winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
         (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
-      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner2_best_late_cost_0_2 / 8) mod 2) = 1;
       winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
         winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
         (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
-      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner2_best_late_cost_0_2 / 16) mod 2) = 1;
       winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
         winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
         (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
-      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner3_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner2_best_late_cost_0_2 / 32) mod 2) = 1;
       winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
         winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
         (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
       winnerswinner4_best_index_0_0_choice_7 := (not ((winnerswinner3_best_cost_0_0 / 64) = 1)) or
-        ((winnerswinner3_best_cost_0_1 / 64) = 1) when winnerswinner4_best_index_0_0_choice_6 else (not
-        ((winnerswinner3_best_cost_0_0 / 64) = 1)) and ((winnerswinner3_best_cost_0_1 / 64) = 1);
-      winnerswinner4_best_below_0_0_all := ((winnerswinner3_best_index_0_1 / 8) = 1) and
-        ((winnerswinner3_best_index_0_1 mod 4) = 0);
-      winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when winnerswinner4_best_below_0_0_all else
-        winnerswinner3_best_below_0_1;
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1) when winnerswinner4_best_index_0_0_choice_6 else (not
+        ((winnerswinner3_best_cost_0_0 / 64) = 1)) and ((winnerswinner2_best_late_cost_0_2 / 64) = 1);
+      winnerswinner4_best_below_0_0_is_equal := (winnerswinner3_best_index_0_1 mod 4) = 0;
+      winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when ((winnerswinner3_best_index_0_1 / 8) =
+        1) and winnerswinner4_best_below_0_0_is_equal else winnerswinner3_best_below_0_1;
       winnerswinner4_best_above_0_0_is_equal := winnerswinner3_best_index_0_0 = 7;
       winnerswinner4_best_above_0_0_choice := winnerswinner3_best_first_0_1 when winnerswinner4_best_above_0_0_is_equal
         else winnerswinner3_best_above_0_0;
-      winnerswinner4_best_second_0_0_choice := winnerswinner3_best_but_first_0_1 when
-        winnerswinner4_best_above_0_0_is_equal else winnerswinner3_best_cost_0_1;
-      winnerswinner4_best_second_0_0_choice_2 := winnerswinner4_best_second_0_0_choice when
-        winnerswinner4_best_second_0_0_choice < winnerswinner3_best_second_0_0 else winnerswinner3_best_second_0_0;
-      winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_but_last_0_0 when
-        winnerswinner4_best_below_0_0_all else winnerswinner3_best_cost_0_0;
-      winnerswinner4_best_second_0_0_choice_4 := winnerswinner4_best_second_0_0_choice_3 when
-        winnerswinner4_best_second_0_0_choice_3 < winnerswinner3_best_second_0_1 else winnerswinner3_best_second_0_1;
-      winnerswinner4_best_cost_0_0 <= winnerswinner3_best_cost_0_1 when winnerswinner3_best_cost_0_1 <
-        winnerswinner3_best_cost_0_0 else winnerswinner3_best_cost_0_0;
+      winnerswinner4_best_second_0_0_choice := winnerswinner3_best_second_0_1 when winnerswinner4_best_place_0_0 else
+        winnerswinner3_best_late_cost_0_1;
+      winnerswinner4_best_second_0_0_choice_2 := winnerswinner3_best_but_first_0_1 when winnerswinner4_best_at_end_0_0
+        else winnerswinner4_best_second_0_0_choice;
+      winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_late_cost_0_0 when winnerswinner4_best_place_0_0
+        else winnerswinner3_best_second_0_0;
+      winnerswinner4_best_second_0_0_choice_4 := winnerswinner3_best_but_last_0_0 when winnerswinner4_best_at_start_0_0
+        else winnerswinner4_best_second_0_0_choice_3;
+      winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2 when (winnerswinner2_best_late_cost_0_2 -
+        winnerswinner3_best_cost_0_0) < 0 else winnerswinner3_best_cost_0_0;
       winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner3_best_index_0_1;
       winnerswinner4_best_below_0_0 <= winnerswinner3_best_below_0_0 when winnerswinner4_best_index_0_0_choice_7 else
         winnerswinner4_best_below_0_0_choice;
       winnerswinner4_best_above_0_0 <= winnerswinner4_best_above_0_0_choice when winnerswinner4_best_index_0_0_choice_7
         else winnerswinner3_best_above_0_1;
+      winnerswinner4_best_place_0_0 <= ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner2_best_late_cost_0_2 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
+        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_late_cost_0_2 / 64) = 1));
+      winnerswinner4_best_at_start_0_0 <= (not winnerswinner4_best_index_0_0_choice_7) and
+        ((winnerswinner3_best_index_0_1 / 8) = 1) and winnerswinner4_best_below_0_0_is_equal;
+      winnerswinner4_best_at_end_0_0 <= winnerswinner4_best_index_0_0_choice_7 and
+        winnerswinner4_best_above_0_0_is_equal;
+      winnerswinner4_best_late_cost_0_0 <= winnerswinner4_best_cost_0_0;
       winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_2 when
-        winnerswinner4_best_index_0_0_choice_7 else winnerswinner4_best_second_0_0_choice_4;
+        (winnerswinner4_best_second_0_0_choice_2 - winnerswinner4_best_second_0_0_choice_4) < 0 else
+        winnerswinner4_best_second_0_0_choice_4;
       winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
       winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
       winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
       winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
       winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
       -- winners
-      winners_best_cost_0_0 <= winnerswinner4_best_cost_0_0;
       winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
       winners_best_below_0_0 <= winnerswinner4_best_below_0_0;
       winners_best_above_0_0 <= winnerswinner4_best_above_0_0;
+      winners_best_late_cost_0_0 <= winnerswinner4_best_late_cost_0_0;
       winners_best_second_0_0 <= winnerswinner4_best_second_0_0;
       winners_best_tag_valid <= winnerswinner4_tag_valid;
       winners_best_tag_map_column <= winnerswinner4_tag_map_column;
@@ -8578,261 +6680,20 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
       -- refinement
-      refinement_passed_2_0_choice := (not (((refinement_scaled_gap_0 / 2) mod 2) = 1)) or (not
+      refinement_passed_3_0_choice := (not (((refinement_scaled_gap_0 / 2) mod 2) = 1)) or (not
         ((refinement_scaled_gap_0 mod 2) = 1)) when (refinement_scaled_cost_0 / 2) = 1 else (refinement_scaled_gap_0
         mod 4) = 0;
-      refinement_passed_2_0_choice_2 := transform_ready_column_inside_2 when delay_ring_read_address else
-        transform_ready_column_inside_2 and (((refinement_scaled_gap_0 / 32) mod 2) = 1);
-      refinement_remainder_0_0_choice := winners_best_above_0_0 when winners_best_index_0_0 = 0 else
-        winners_best_below_0_0;
-      refinement_remainder_0_0_difference := refinement_remainder_0_0_choice - winners_best_cost_0_0;
-      refinement_remainder_0_0_choice_2 := winners_best_below_0_0 when winners_best_index_0_0 = 11 else
-        winners_best_above_0_0;
-      refinement_remainder_0_0_difference_2 := refinement_remainder_0_0_choice_2 - winners_best_cost_0_0;
-      refinement_remainder_0_0_is_less := (refinement_remainder_0_0_difference mod 128) <
-        (refinement_remainder_0_0_difference_2 mod 128);
-      if refinement_remainder_0_0_is_less then
-        refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_difference_2 mod 128;
-      else
-        refinement_remainder_0_0_choice_3 := refinement_remainder_0_0_difference mod 128;
-      end if;
-      if refinement_remainder_0_0_is_less then
-        refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_difference mod 128;
-      else
-        refinement_remainder_0_0_choice_4 := refinement_remainder_0_0_difference_2 mod 128;
-      end if;
-      refinement_remainder_1_0_choice := (not (((refinement_remainder_0_0 / 2) mod 2) = 1)) or (not
-        ((refinement_remainder_0_0 mod 2) = 1)) when (refinement_divisor_0_0 mod 2) = 1 else not
-        (((refinement_remainder_0_0 / 2) mod 2) = 1);
-      refinement_remainder_1_0_choice_2 := refinement_remainder_1_0_choice when ((refinement_divisor_0_0 / 2) mod 2) =
-        1 else ((refinement_divisor_0_0 mod 2) = 1) and ((refinement_remainder_0_0 mod 4) = 0);
-      refinement_remainder_1_0_value := ((refinement_remainder_0_0 / 4) mod 2) = 1;
-      refinement_remainder_1_0_choice_3 := (not (((refinement_divisor_0_0 / 4) mod 2) = 1)) and
-        refinement_remainder_1_0_value when refinement_remainder_1_0_choice_2 else (not (((refinement_divisor_0_0 / 4)
-        mod 2) = 1)) or refinement_remainder_1_0_value;
-      refinement_remainder_1_0_value_2 := ((refinement_remainder_0_0 / 8) mod 2) = 1;
-      refinement_remainder_1_0_choice_4 := (not (((refinement_divisor_0_0 / 8) mod 2) = 1)) or
-        refinement_remainder_1_0_value_2 when refinement_remainder_1_0_choice_3 else (not (((refinement_divisor_0_0 /
-        8) mod 2) = 1)) and refinement_remainder_1_0_value_2;
-      refinement_remainder_1_0_value_3 := ((refinement_remainder_0_0 / 16) mod 2) = 1;
-      refinement_remainder_1_0_choice_5 := (not (((refinement_divisor_0_0 / 16) mod 2) = 1)) or
-        refinement_remainder_1_0_value_3 when refinement_remainder_1_0_choice_4 else (not (((refinement_divisor_0_0 /
-        16) mod 2) = 1)) and refinement_remainder_1_0_value_3;
-      refinement_remainder_1_0_value_4 := ((refinement_remainder_0_0 / 32) mod 2) = 1;
-      refinement_remainder_1_0_choice_6 := (not (((refinement_divisor_0_0 / 32) mod 2) = 1)) or
-        refinement_remainder_1_0_value_4 when refinement_remainder_1_0_choice_5 else (not (((refinement_divisor_0_0 /
-        32) mod 2) = 1)) and refinement_remainder_1_0_value_4;
-      refinement_remainder_1_0_choice_7 := (not ((refinement_divisor_0_0 / 64) = 1)) or ((refinement_remainder_0_0 /
-        64) = 1) when refinement_remainder_1_0_choice_6 else (not ((refinement_divisor_0_0 / 64) = 1)) and
-        ((refinement_remainder_0_0 / 64) = 1);
-      refinement_remainder_1_0_choice_8 := refinement_divisor_0_0 when refinement_remainder_1_0_choice_7 else 0;
-      refinement_remainder_2_0_choice := (not ((refinement_divisor_1_0 mod 2) = 1)) and ((refinement_remainder_1_0 mod
-        2) = 1) when ((refinement_divisor_1_0 / 2) mod 2) = 1 else (not ((refinement_divisor_1_0 mod 2) = 1)) or
-        ((refinement_remainder_1_0 mod 2) = 1);
-      refinement_remainder_2_0_value := ((refinement_remainder_1_0 / 2) mod 2) = 1;
-      refinement_remainder_2_0_choice_2 := (not (((refinement_divisor_1_0 / 4) mod 2) = 1)) or
-        refinement_remainder_2_0_value when refinement_remainder_2_0_choice else (not (((refinement_divisor_1_0 / 4)
-        mod 2) = 1)) and refinement_remainder_2_0_value;
-      refinement_remainder_2_0_value_2 := ((refinement_remainder_1_0 / 4) mod 2) = 1;
-      refinement_remainder_2_0_choice_3 := (not (((refinement_divisor_1_0 / 8) mod 2) = 1)) or
-        refinement_remainder_2_0_value_2 when refinement_remainder_2_0_choice_2 else (not (((refinement_divisor_1_0 /
-        8) mod 2) = 1)) and refinement_remainder_2_0_value_2;
-      refinement_remainder_2_0_value_3 := ((refinement_remainder_1_0 / 8) mod 2) = 1;
-      refinement_remainder_2_0_choice_4 := (not (((refinement_divisor_1_0 / 16) mod 2) = 1)) or
-        refinement_remainder_2_0_value_3 when refinement_remainder_2_0_choice_3 else (not (((refinement_divisor_1_0 /
-        16) mod 2) = 1)) and refinement_remainder_2_0_value_3;
-      refinement_remainder_2_0_value_4 := ((refinement_remainder_1_0 / 16) mod 2) = 1;
-      refinement_remainder_2_0_choice_5 := (not (((refinement_divisor_1_0 / 32) mod 2) = 1)) or
-        refinement_remainder_2_0_value_4 when refinement_remainder_2_0_choice_4 else (not (((refinement_divisor_1_0 /
-        32) mod 2) = 1)) and refinement_remainder_2_0_value_4;
-      refinement_remainder_2_0_value_5 := ((refinement_remainder_1_0 / 32) mod 2) = 1;
-      refinement_remainder_2_0_choice_6 := (refinement_remainder_1_0 / 64) = 1 when (refinement_divisor_1_0 / 64) = 1
-        else ((refinement_remainder_1_0 / 64) = 1) or refinement_remainder_2_0_value_5;
-      refinement_remainder_2_0_choice_7 := (not ((refinement_divisor_1_0 / 64) = 1)) or ((refinement_remainder_1_0 /
-        64) = 1) or refinement_remainder_2_0_value_5 when refinement_remainder_2_0_choice_5 else
-        refinement_remainder_2_0_choice_6;
-      refinement_remainder_2_0_choice_8 := refinement_divisor_1_0 when refinement_remainder_2_0_choice_7 else 0;
-      refinement_remainder_3_0_choice := (not ((refinement_divisor_2_0 mod 2) = 1)) and ((refinement_remainder_2_0 mod
-        2) = 1) when ((refinement_divisor_2_0 / 2) mod 2) = 1 else (not ((refinement_divisor_2_0 mod 2) = 1)) or
-        ((refinement_remainder_2_0 mod 2) = 1);
-      refinement_remainder_3_0_value := ((refinement_remainder_2_0 / 2) mod 2) = 1;
-      refinement_remainder_3_0_choice_2 := (not (((refinement_divisor_2_0 / 4) mod 2) = 1)) or
-        refinement_remainder_3_0_value when refinement_remainder_3_0_choice else (not (((refinement_divisor_2_0 / 4)
-        mod 2) = 1)) and refinement_remainder_3_0_value;
-      refinement_remainder_3_0_value_2 := ((refinement_remainder_2_0 / 4) mod 2) = 1;
-      refinement_remainder_3_0_choice_3 := (not (((refinement_divisor_2_0 / 8) mod 2) = 1)) or
-        refinement_remainder_3_0_value_2 when refinement_remainder_3_0_choice_2 else (not (((refinement_divisor_2_0 /
-        8) mod 2) = 1)) and refinement_remainder_3_0_value_2;
-      refinement_remainder_3_0_value_3 := ((refinement_remainder_2_0 / 8) mod 2) = 1;
-      refinement_remainder_3_0_choice_4 := (not (((refinement_divisor_2_0 / 16) mod 2) = 1)) or
-        refinement_remainder_3_0_value_3 when refinement_remainder_3_0_choice_3 else (not (((refinement_divisor_2_0 /
-        16) mod 2) = 1)) and refinement_remainder_3_0_value_3;
-      refinement_remainder_3_0_value_4 := ((refinement_remainder_2_0 / 16) mod 2) = 1;
-      refinement_remainder_3_0_choice_5 := (not (((refinement_divisor_2_0 / 32) mod 2) = 1)) or
-        refinement_remainder_3_0_value_4 when refinement_remainder_3_0_choice_4 else (not (((refinement_divisor_2_0 /
-        32) mod 2) = 1)) and refinement_remainder_3_0_value_4;
-      refinement_remainder_3_0_value_5 := ((refinement_remainder_2_0 / 32) mod 2) = 1;
-      refinement_remainder_3_0_choice_6 := (refinement_remainder_2_0 / 64) = 1 when (refinement_divisor_2_0 / 64) = 1
-        else ((refinement_remainder_2_0 / 64) = 1) or refinement_remainder_3_0_value_5;
-      refinement_remainder_3_0_choice_7 := (not ((refinement_divisor_2_0 / 64) = 1)) or ((refinement_remainder_2_0 /
-        64) = 1) or refinement_remainder_3_0_value_5 when refinement_remainder_3_0_choice_5 else
-        refinement_remainder_3_0_choice_6;
-      refinement_remainder_3_0_choice_8 := refinement_divisor_2_0 when refinement_remainder_3_0_choice_7 else 0;
-      refinement_remainder_4_0_choice := (not ((refinement_divisor_3_0 mod 2) = 1)) and ((refinement_remainder_3_0 mod
-        2) = 1) when ((refinement_divisor_3_0 / 2) mod 2) = 1 else (not ((refinement_divisor_3_0 mod 2) = 1)) or
-        ((refinement_remainder_3_0 mod 2) = 1);
-      refinement_remainder_4_0_value := ((refinement_remainder_3_0 / 2) mod 2) = 1;
-      refinement_remainder_4_0_choice_2 := (not (((refinement_divisor_3_0 / 4) mod 2) = 1)) or
-        refinement_remainder_4_0_value when refinement_remainder_4_0_choice else (not (((refinement_divisor_3_0 / 4)
-        mod 2) = 1)) and refinement_remainder_4_0_value;
-      refinement_remainder_4_0_value_2 := ((refinement_remainder_3_0 / 4) mod 2) = 1;
-      refinement_remainder_4_0_choice_3 := (not (((refinement_divisor_3_0 / 8) mod 2) = 1)) or
-        refinement_remainder_4_0_value_2 when refinement_remainder_4_0_choice_2 else (not (((refinement_divisor_3_0 /
-        8) mod 2) = 1)) and refinement_remainder_4_0_value_2;
-      refinement_remainder_4_0_value_3 := ((refinement_remainder_3_0 / 8) mod 2) = 1;
-      refinement_remainder_4_0_choice_4 := (not (((refinement_divisor_3_0 / 16) mod 2) = 1)) or
-        refinement_remainder_4_0_value_3 when refinement_remainder_4_0_choice_3 else (not (((refinement_divisor_3_0 /
-        16) mod 2) = 1)) and refinement_remainder_4_0_value_3;
-      refinement_remainder_4_0_value_4 := ((refinement_remainder_3_0 / 16) mod 2) = 1;
-      refinement_remainder_4_0_choice_5 := (not (((refinement_divisor_3_0 / 32) mod 2) = 1)) or
-        refinement_remainder_4_0_value_4 when refinement_remainder_4_0_choice_4 else (not (((refinement_divisor_3_0 /
-        32) mod 2) = 1)) and refinement_remainder_4_0_value_4;
-      refinement_remainder_4_0_value_5 := ((refinement_remainder_3_0 / 32) mod 2) = 1;
-      refinement_remainder_4_0_choice_6 := (refinement_remainder_3_0 / 64) = 1 when (refinement_divisor_3_0 / 64) = 1
-        else ((refinement_remainder_3_0 / 64) = 1) or refinement_remainder_4_0_value_5;
-      refinement_remainder_4_0_choice_7 := (not ((refinement_divisor_3_0 / 64) = 1)) or ((refinement_remainder_3_0 /
-        64) = 1) or refinement_remainder_4_0_value_5 when refinement_remainder_4_0_choice_5 else
-        refinement_remainder_4_0_choice_6;
-      refinement_remainder_4_0_choice_8 := refinement_divisor_3_0 when refinement_remainder_4_0_choice_7 else 0;
-      refinement_remainder_5_0_choice := (not ((refinement_divisor_4_0 mod 2) = 1)) and ((refinement_remainder_4_0 mod
-        2) = 1) when ((refinement_divisor_4_0 / 2) mod 2) = 1 else (not ((refinement_divisor_4_0 mod 2) = 1)) or
-        ((refinement_remainder_4_0 mod 2) = 1);
-      refinement_remainder_5_0_value := ((refinement_remainder_4_0 / 2) mod 2) = 1;
-      refinement_remainder_5_0_choice_2 := (not (((refinement_divisor_4_0 / 4) mod 2) = 1)) or
-        refinement_remainder_5_0_value when refinement_remainder_5_0_choice else (not (((refinement_divisor_4_0 / 4)
-        mod 2) = 1)) and refinement_remainder_5_0_value;
-      refinement_remainder_5_0_value_2 := ((refinement_remainder_4_0 / 4) mod 2) = 1;
-      refinement_remainder_5_0_choice_3 := (not (((refinement_divisor_4_0 / 8) mod 2) = 1)) or
-        refinement_remainder_5_0_value_2 when refinement_remainder_5_0_choice_2 else (not (((refinement_divisor_4_0 /
-        8) mod 2) = 1)) and refinement_remainder_5_0_value_2;
-      refinement_remainder_5_0_value_3 := ((refinement_remainder_4_0 / 8) mod 2) = 1;
-      refinement_remainder_5_0_choice_4 := (not (((refinement_divisor_4_0 / 16) mod 2) = 1)) or
-        refinement_remainder_5_0_value_3 when refinement_remainder_5_0_choice_3 else (not (((refinement_divisor_4_0 /
-        16) mod 2) = 1)) and refinement_remainder_5_0_value_3;
-      refinement_remainder_5_0_value_4 := ((refinement_remainder_4_0 / 16) mod 2) = 1;
-      refinement_remainder_5_0_choice_5 := (not (((refinement_divisor_4_0 / 32) mod 2) = 1)) or
-        refinement_remainder_5_0_value_4 when refinement_remainder_5_0_choice_4 else (not (((refinement_divisor_4_0 /
-        32) mod 2) = 1)) and refinement_remainder_5_0_value_4;
-      refinement_remainder_5_0_value_5 := ((refinement_remainder_4_0 / 32) mod 2) = 1;
-      refinement_remainder_5_0_choice_6 := (refinement_remainder_4_0 / 64) = 1 when (refinement_divisor_4_0 / 64) = 1
-        else ((refinement_remainder_4_0 / 64) = 1) or refinement_remainder_5_0_value_5;
-      refinement_remainder_5_0_choice_7 := (not ((refinement_divisor_4_0 / 64) = 1)) or ((refinement_remainder_4_0 /
-        64) = 1) or refinement_remainder_5_0_value_5 when refinement_remainder_5_0_choice_5 else
-        refinement_remainder_5_0_choice_6;
-      refinement_remainder_5_0_choice_8 := refinement_divisor_4_0 when refinement_remainder_5_0_choice_7 else 0;
-      refinement_remainder_6_0_choice := (not ((refinement_divisor_5_0 mod 2) = 1)) and ((refinement_remainder_5_0 mod
-        2) = 1) when ((refinement_divisor_5_0 / 2) mod 2) = 1 else (not ((refinement_divisor_5_0 mod 2) = 1)) or
-        ((refinement_remainder_5_0 mod 2) = 1);
-      refinement_remainder_6_0_value := ((refinement_remainder_5_0 / 2) mod 2) = 1;
-      refinement_remainder_6_0_choice_2 := (not (((refinement_divisor_5_0 / 4) mod 2) = 1)) or
-        refinement_remainder_6_0_value when refinement_remainder_6_0_choice else (not (((refinement_divisor_5_0 / 4)
-        mod 2) = 1)) and refinement_remainder_6_0_value;
-      refinement_remainder_6_0_value_2 := ((refinement_remainder_5_0 / 4) mod 2) = 1;
-      refinement_remainder_6_0_choice_3 := (not (((refinement_divisor_5_0 / 8) mod 2) = 1)) or
-        refinement_remainder_6_0_value_2 when refinement_remainder_6_0_choice_2 else (not (((refinement_divisor_5_0 /
-        8) mod 2) = 1)) and refinement_remainder_6_0_value_2;
-      refinement_remainder_6_0_value_3 := ((refinement_remainder_5_0 / 8) mod 2) = 1;
-      refinement_remainder_6_0_choice_4 := (not (((refinement_divisor_5_0 / 16) mod 2) = 1)) or
-        refinement_remainder_6_0_value_3 when refinement_remainder_6_0_choice_3 else (not (((refinement_divisor_5_0 /
-        16) mod 2) = 1)) and refinement_remainder_6_0_value_3;
-      refinement_remainder_6_0_value_4 := ((refinement_remainder_5_0 / 16) mod 2) = 1;
-      refinement_remainder_6_0_choice_5 := (not (((refinement_divisor_5_0 / 32) mod 2) = 1)) or
-        refinement_remainder_6_0_value_4 when refinement_remainder_6_0_choice_4 else (not (((refinement_divisor_5_0 /
-        32) mod 2) = 1)) and refinement_remainder_6_0_value_4;
-      refinement_remainder_6_0_value_5 := ((refinement_remainder_5_0 / 32) mod 2) = 1;
-      refinement_remainder_6_0_choice_6 := (refinement_remainder_5_0 / 64) = 1 when (refinement_divisor_5_0 / 64) = 1
-        else ((refinement_remainder_5_0 / 64) = 1) or refinement_remainder_6_0_value_5;
-      refinement_remainder_6_0_choice_7 := (not ((refinement_divisor_5_0 / 64) = 1)) or ((refinement_remainder_5_0 /
-        64) = 1) or refinement_remainder_6_0_value_5 when refinement_remainder_6_0_choice_5 else
-        refinement_remainder_6_0_choice_6;
-      refinement_remainder_6_0_choice_8 := refinement_divisor_5_0 when refinement_remainder_6_0_choice_7 else 0;
-      refinement_remainder_7_0_choice := (not ((refinement_divisor_6_0 mod 2) = 1)) and ((refinement_remainder_6_0 mod
-        2) = 1) when ((refinement_divisor_6_0 / 2) mod 2) = 1 else (not ((refinement_divisor_6_0 mod 2) = 1)) or
-        ((refinement_remainder_6_0 mod 2) = 1);
-      refinement_remainder_7_0_value := ((refinement_remainder_6_0 / 2) mod 2) = 1;
-      refinement_remainder_7_0_choice_2 := (not (((refinement_divisor_6_0 / 4) mod 2) = 1)) or
-        refinement_remainder_7_0_value when refinement_remainder_7_0_choice else (not (((refinement_divisor_6_0 / 4)
-        mod 2) = 1)) and refinement_remainder_7_0_value;
-      refinement_remainder_7_0_value_2 := ((refinement_remainder_6_0 / 4) mod 2) = 1;
-      refinement_remainder_7_0_choice_3 := (not (((refinement_divisor_6_0 / 8) mod 2) = 1)) or
-        refinement_remainder_7_0_value_2 when refinement_remainder_7_0_choice_2 else (not (((refinement_divisor_6_0 /
-        8) mod 2) = 1)) and refinement_remainder_7_0_value_2;
-      refinement_remainder_7_0_value_3 := ((refinement_remainder_6_0 / 8) mod 2) = 1;
-      refinement_remainder_7_0_choice_4 := (not (((refinement_divisor_6_0 / 16) mod 2) = 1)) or
-        refinement_remainder_7_0_value_3 when refinement_remainder_7_0_choice_3 else (not (((refinement_divisor_6_0 /
-        16) mod 2) = 1)) and refinement_remainder_7_0_value_3;
-      refinement_remainder_7_0_value_4 := ((refinement_remainder_6_0 / 16) mod 2) = 1;
-      refinement_remainder_7_0_choice_5 := (not (((refinement_divisor_6_0 / 32) mod 2) = 1)) or
-        refinement_remainder_7_0_value_4 when refinement_remainder_7_0_choice_4 else (not (((refinement_divisor_6_0 /
-        32) mod 2) = 1)) and refinement_remainder_7_0_value_4;
-      refinement_remainder_7_0_value_5 := ((refinement_remainder_6_0 / 32) mod 2) = 1;
-      refinement_remainder_7_0_choice_6 := (refinement_remainder_6_0 / 64) = 1 when (refinement_divisor_6_0 / 64) = 1
-        else ((refinement_remainder_6_0 / 64) = 1) or refinement_remainder_7_0_value_5;
-      refinement_remainder_7_0_choice_7 := (not ((refinement_divisor_6_0 / 64) = 1)) or ((refinement_remainder_6_0 /
-        64) = 1) or refinement_remainder_7_0_value_5 when refinement_remainder_7_0_choice_5 else
-        refinement_remainder_7_0_choice_6;
-      refinement_remainder_7_0_choice_8 := refinement_divisor_6_0 when refinement_remainder_7_0_choice_7 else 0;
-      refinement_divisor_0_0_choice := (refinement_remainder_0_0_difference_2 mod 2) = 1 when
-        refinement_remainder_0_0_is_less else (refinement_remainder_0_0_difference mod 2) = 1;
-      refinement_quotient_8_0_choice := (not ((refinement_divisor_7_0 mod 2) = 1)) and ((refinement_remainder_7_0 mod
-        2) = 1) when ((refinement_divisor_7_0 / 2) mod 2) = 1 else (not ((refinement_divisor_7_0 mod 2) = 1)) or
-        ((refinement_remainder_7_0 mod 2) = 1);
-      refinement_quotient_8_0_value := ((refinement_remainder_7_0 / 2) mod 2) = 1;
-      refinement_quotient_8_0_choice_2 := (not (((refinement_divisor_7_0 / 4) mod 2) = 1)) or
-        refinement_quotient_8_0_value when refinement_quotient_8_0_choice else (not (((refinement_divisor_7_0 / 4) mod
-        2) = 1)) and refinement_quotient_8_0_value;
-      refinement_quotient_8_0_value_2 := ((refinement_remainder_7_0 / 4) mod 2) = 1;
-      refinement_quotient_8_0_choice_3 := (not (((refinement_divisor_7_0 / 8) mod 2) = 1)) or
-        refinement_quotient_8_0_value_2 when refinement_quotient_8_0_choice_2 else (not (((refinement_divisor_7_0 / 8)
-        mod 2) = 1)) and refinement_quotient_8_0_value_2;
-      refinement_quotient_8_0_value_3 := ((refinement_remainder_7_0 / 8) mod 2) = 1;
-      refinement_quotient_8_0_choice_4 := (not (((refinement_divisor_7_0 / 16) mod 2) = 1)) or
-        refinement_quotient_8_0_value_3 when refinement_quotient_8_0_choice_3 else (not (((refinement_divisor_7_0 / 16)
-        mod 2) = 1)) and refinement_quotient_8_0_value_3;
-      refinement_quotient_8_0_value_4 := ((refinement_remainder_7_0 / 16) mod 2) = 1;
-      refinement_quotient_8_0_choice_5 := (not (((refinement_divisor_7_0 / 32) mod 2) = 1)) or
-        refinement_quotient_8_0_value_4 when refinement_quotient_8_0_choice_4 else (not (((refinement_divisor_7_0 / 32)
-        mod 2) = 1)) and refinement_quotient_8_0_value_4;
-      refinement_quotient_8_0_value_5 := ((refinement_remainder_7_0 / 32) mod 2) = 1;
-      refinement_quotient_8_0_choice_6 := (refinement_remainder_7_0 / 64) = 1 when (refinement_divisor_7_0 / 64) = 1
-        else ((refinement_remainder_7_0 / 64) = 1) or refinement_quotient_8_0_value_5;
-      refinement_quotient_8_0_choice_7 := (not ((refinement_divisor_7_0 / 64) = 1)) or ((refinement_remainder_7_0 / 64)
-        = 1) or refinement_quotient_8_0_value_5 when refinement_quotient_8_0_choice_5 else
-        refinement_quotient_8_0_choice_6;
-      refinement_negative_0_0_choice := (not ((((refinement_remainder_0_0_difference mod 128) / 2) mod 2) = 1)) or (not
-        ((refinement_remainder_0_0_difference mod 2) = 1)) when (refinement_remainder_0_0_difference_2 mod 2) = 1 else
-        not ((((refinement_remainder_0_0_difference mod 128) / 2) mod 2) = 1);
-      refinement_negative_0_0_choice_2 := refinement_negative_0_0_choice when (((refinement_remainder_0_0_difference_2
-        mod 128) / 2) mod 2) = 1 else ((refinement_remainder_0_0_difference_2 mod 2) = 1) and (not
-        ((((refinement_remainder_0_0_difference mod 128) / 2) mod 2) = 1)) and (not
-        ((refinement_remainder_0_0_difference mod 2) = 1));
-      refinement_negative_0_0_value := (((refinement_remainder_0_0_difference mod 128) / 4) mod 2) = 1;
-      refinement_negative_0_0_choice_3 := (not ((((refinement_remainder_0_0_difference_2 mod 128) / 4) mod 2) = 1)) and
-        refinement_negative_0_0_value when refinement_negative_0_0_choice_2 else (not
-        ((((refinement_remainder_0_0_difference_2 mod 128) / 4) mod 2) = 1)) or refinement_negative_0_0_value;
-      refinement_negative_0_0_value_2 := (((refinement_remainder_0_0_difference mod 128) / 8) mod 2) = 1;
-      refinement_negative_0_0_choice_4 := (not ((((refinement_remainder_0_0_difference_2 mod 128) / 8) mod 2) = 1)) or
-        refinement_negative_0_0_value_2 when refinement_negative_0_0_choice_3 else (not
-        ((((refinement_remainder_0_0_difference_2 mod 128) / 8) mod 2) = 1)) and refinement_negative_0_0_value_2;
-      refinement_negative_0_0_value_3 := (((refinement_remainder_0_0_difference mod 128) / 16) mod 2) = 1;
-      refinement_negative_0_0_choice_5 := (not ((((refinement_remainder_0_0_difference_2 mod 128) / 16) mod 2) = 1)) or
-        refinement_negative_0_0_value_3 when refinement_negative_0_0_choice_4 else (not
-        ((((refinement_remainder_0_0_difference_2 mod 128) / 16) mod 2) = 1)) and refinement_negative_0_0_value_3;
-      refinement_negative_0_0_value_4 := (((refinement_remainder_0_0_difference mod 128) / 32) mod 2) = 1;
-      refinement_negative_0_0_choice_6 := (not ((((refinement_remainder_0_0_difference_2 mod 128) / 32) mod 2) = 1)) or
-        refinement_negative_0_0_value_4 when refinement_negative_0_0_choice_5 else (not
-        ((((refinement_remainder_0_0_difference_2 mod 128) / 32) mod 2) = 1)) and refinement_negative_0_0_value_4;
-      refinement_negative_0_0_value_5 := ((refinement_remainder_0_0_difference_2 mod 128) / 64) = 1;
+      refinement_passed_3_0_choice_2 := transform_columns_column_inside_2 when refinement_alone_1_0 else
+        transform_columns_column_inside_2 and (((refinement_scaled_gap_0 / 32) mod 2) = 1);
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 256) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 256) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 256) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 256) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 256) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 256) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 256) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -8855,16 +6716,19 @@ begin
       refinement_disparity_7_0 <= refinement_disparity_6_0;
       refinement_disparity_8_0 <= refinement_disparity_7_0;
       refinement_disparity_9_0 <= refinement_disparity_8_0;
-      refinement_passed_2_0 <= refinement_passed_2_0_choice_2 when (not (((refinement_scaled_gap_0 / 16) mod 2) = 1))
-        and refinement_passed_2_0_choice and (not ((refinement_scaled_gap_0 / 64) = 1)) and (((refinement_scaled_gap_0
-        / 4) mod 4) = 0) else transform_ready_column_inside_2;
-      refinement_passed_3_0 <= refinement_passed_2_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_3_0 <= refinement_passed_3_0_choice_2 when (not (((refinement_scaled_gap_0 / 16) mod 2) = 1))
+        and refinement_passed_3_0_choice and (not ((refinement_scaled_gap_0 / 64) = 1)) and (((refinement_scaled_gap_0
+        / 4) mod 4) = 0) else transform_columns_column_inside_2;
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
       refinement_passed_7_0 <= refinement_passed_6_0;
       refinement_passed_8_0 <= refinement_passed_7_0;
       refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
       refinement_tag_0_valid <= winners_best_tag_valid;
       refinement_tag_0_map_column <= winners_best_tag_map_column;
       refinement_tag_0_output_column <= winners_best_tag_output_column;
@@ -8915,19 +6779,43 @@ begin
       refinement_tag_9_output_column <= refinement_tag_8_output_column;
       refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
       refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
-      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_cost_0_0) mod 128;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_map_column <= refinement_tag_9_map_column;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_map_column <= refinement_tag_10_map_column;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_alone_0_0 <= winners_best_second_0_0 = 127;
+      refinement_alone_1_0 <= refinement_alone_0_0;
+      refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 128;
       refinement_scaled_gap_0 <= refinement_gap_0;
       refinement_scaled_cost_0 <= 2;
-      refinement_remainder_0_0 <= (refinement_remainder_0_0_choice_3 - refinement_remainder_0_0_choice_4) mod 128;
-      refinement_remainder_1_0 <= (refinement_remainder_0_0 - refinement_remainder_1_0_choice_8) mod 128;
-      refinement_remainder_2_0 <= (((refinement_remainder_1_0 mod 64) * 2) - refinement_remainder_2_0_choice_8) mod 128;
-      refinement_remainder_3_0 <= (((refinement_remainder_2_0 mod 64) * 2) - refinement_remainder_3_0_choice_8) mod 128;
-      refinement_remainder_4_0 <= (((refinement_remainder_3_0 mod 64) * 2) - refinement_remainder_4_0_choice_8) mod 128;
-      refinement_remainder_5_0 <= (((refinement_remainder_4_0 mod 64) * 2) - refinement_remainder_5_0_choice_8) mod 128;
-      refinement_remainder_6_0 <= (((refinement_remainder_5_0 mod 64) * 2) - refinement_remainder_6_0_choice_8) mod 128;
-      refinement_remainder_7_0 <= (((refinement_remainder_6_0 mod 64) * 2) - refinement_remainder_7_0_choice_8) mod 128;
-      refinement_divisor_0_0 <= 1 when (not refinement_divisor_0_0_choice) and ((refinement_remainder_0_0_choice_3 / 2)
-        = 0) else refinement_remainder_0_0_choice_3;
+      refinement_below_0 <= winners_best_above_0_0 when winners_best_index_0_0 = 0 else winners_best_below_0_0;
+      refinement_above_0 <= winners_best_below_0_0 when winners_best_index_0_0 = 11 else winners_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 128;
+      refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 128;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 128 when (refinement_remainder_1_0_difference
+        / 256) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 128 when (refinement_remainder_2_0_difference
+        / 256) = 1 else (refinement_remainder_1_0 mod 64) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 128 when (refinement_remainder_3_0_difference
+        / 256) = 1 else (refinement_remainder_2_0 mod 64) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 128 when (refinement_remainder_4_0_difference
+        / 256) = 1 else (refinement_remainder_3_0 mod 64) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 128 when (refinement_remainder_5_0_difference
+        / 256) = 1 else (refinement_remainder_4_0 mod 64) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 128 when (refinement_remainder_6_0_difference
+        / 256) = 1 else (refinement_remainder_5_0 mod 64) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 128 when (refinement_remainder_7_0_difference
+        / 256) = 1 else (refinement_remainder_6_0 mod 64) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 7)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 7))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
       refinement_divisor_2_0 <= refinement_divisor_1_0;
       refinement_divisor_3_0 <= refinement_divisor_2_0;
@@ -8935,18 +6823,9 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_1_0 <= refinement_remainder_1_0_choice_7;
-      refinement_quotient_2_0 <= (as_number(refinement_quotient_1_0) * 2) +
-        as_number(refinement_remainder_2_0_choice_7);
-      refinement_quotient_3_0 <= (refinement_quotient_2_0 * 2) + as_number(refinement_remainder_3_0_choice_7);
-      refinement_quotient_4_0 <= (refinement_quotient_3_0 * 2) + as_number(refinement_remainder_4_0_choice_7);
-      refinement_quotient_5_0 <= (refinement_quotient_4_0 * 2) + as_number(refinement_remainder_5_0_choice_7);
-      refinement_quotient_6_0 <= (refinement_quotient_5_0 * 2) + as_number(refinement_remainder_6_0_choice_7);
-      refinement_quotient_7_0 <= (refinement_quotient_6_0 * 2) + as_number(refinement_remainder_7_0_choice_7);
-      refinement_quotient_8_0 <= (refinement_quotient_7_0 * 2) + as_number(refinement_quotient_8_0_choice_7);
-      refinement_negative_0_0 <= refinement_negative_0_0_value_5 and (not (((refinement_remainder_0_0_difference mod
-        128) / 64) = 1)) when refinement_negative_0_0_choice_6 else refinement_negative_0_0_value_5 or (not
-        (((refinement_remainder_0_0_difference mod 128) / 64) = 1));
+      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_5
+        / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
       refinement_negative_2_0 <= refinement_negative_1_0;
       refinement_negative_3_0 <= refinement_negative_2_0;
@@ -8955,7 +6834,7 @@ begin
       refinement_negative_6_0 <= refinement_negative_5_0;
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
-      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
@@ -8972,11 +6851,13 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
-      leftright_holds_winners <= (not refinement_tag_9_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_9_valid or leftright_holds_winners;
-      leftright_position <= (leftright_position + as_number(refinement_tag_9_valid)) mod 16;
+      leftright_other_14_0 <= leftright_other_13_0;
+      leftright_other_15_0 <= leftright_other_14_0;
+      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
+        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
+      leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
-      leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_9_valid;
+      leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
       leftright_address_0 <= (to_integer(leftright_held_0(17 downto 4)) + leftright_held_position + 5) mod 16;
       leftright_asking_disparity_0 <= to_integer(leftright_held_0(7 downto 4));
       leftright_asking_fraction_0 <= to_integer(leftright_held_0(17 downto 13));
@@ -9003,7 +6884,7 @@ begin
       leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
-      if refinement_tag_9_valid then
+      if refinement_tag_11_valid then
         leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
           mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
@@ -9016,6 +6897,17 @@ begin
       turn_order_address_choice_2 := 31 when turn_order_falls else 1;
       turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
       turn_order_complete_any := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
+      turn_ready_tag_row_start_is_equal := map_counter_column = 28;
+      turn_ready_tag_row_start_choice := turn_ready_tag_row_start and ((map_counter_group mod 2) = 1) when
+        (map_counter_group / 2) = 6 else turn_ready_tag_row_start;
+      turn_ready_tag_row_start_choice_2 := turn_ready_tag_row_start_choice when turn_ready_tag_row_start_is_equal else
+        turn_ready_tag_row_start;
+      turn_ready_tag_row_start_is_equal_2 := map_counter_group = 11;
+      turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equal and turn_ready_tag_row_start_is_equal_2;
+      turn_ready_tag_row_start_choice_3 := turn_ready_tag_row_start_all or (not turn_ready_tag_start_of_frame) when
+        turn_ready_tag_row_start_choice_2 else turn_ready_tag_row_start_is_equal and
+        turn_ready_tag_row_start_is_equal_2 and turn_ready_tag_start_of_frame;
+      turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
       turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
         + turn_order_address) mod 32;
       turn_order_complete <= turn_order_complete or turn_order_address_all_2 when leftright_checked_tag_end_of_line
@@ -9034,6 +6926,9 @@ begin
       turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_valid <= turn_read_tag_valid;
+      turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2 when
+        turn_ready_tag_row_start_choice_3 else turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
+        turn_ready_tag_map_column));
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
@@ -9052,151 +6947,199 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- map
-      if raster_place_next_frame_all_2 then
-        map_counter_column <= 0 when raster_place_next_frame_is_equal or turn_ready_tag_start_of_frame else
+      if turn_ready_tag_row_start_all_2 then
+        map_counter_column <= 0 when turn_ready_tag_row_start_is_equal or turn_ready_tag_start_of_frame else
           (map_counter_column + 1) mod 32;
       end if;
-      map_counter_group_choice := 3 when raster_place_next_frame_all else 0;
+      map_counter_group_choice := 3 when turn_ready_tag_row_start_all else 0;
       map_counter_group_is_equal := map_counter_group = 12;
-      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and raster_place_next_frame else
+      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and turn_ready_tag_row_start else
         (map_counter_group + 1) mod 16;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when raster_place_next_frame_is_equal and
+      map_counter_group_choice_3 := map_counter_group_choice_2 when turn_ready_tag_row_start_is_equal and
         (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group;
       map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_complete_choice := map_passed_1_0_all when (map_write_column mod 2) = 1 else not map_at_behind;
-      map_complete_choice_2 := map_complete_choice when (map_write_column / 2) = 0 else map_passed_1_0_all;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      if map_out_disparity_0_is_less then
-        map_out_disparity_0_choice := map_largest_low_0;
+      map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
+      if map_at_top then
+        map_of_column_0_a_choice := map_column_1 / 2;
       else
-        map_out_disparity_0_choice := map_median_middle_0;
+        map_of_column_0_a_choice := other_1 / 2;
       end if;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
+      if map_counter_next_frame then
+        map_of_column_0_c_choice := map_column_1 / 2;
+      else
+        map_of_column_0_c_choice := map_column_2 / 2;
+      end if;
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
+        map_sorted_behind;
+      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
+        map_window_complete_all;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
       map_counter_group <= map_counter_group_choice * 4 when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
         turn_ready_tag_map_column else map_counter_group_choice_3;
+      map_counter_next_frame <= to_integer(other_0(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
-      map_arrives <= raster_place_next_frame_all_2;
+      map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
       map_line_ended <= map_line_ended_choice when turn_ready_tag_end_of_line else map_line_ended and (not
         turn_ready_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_bottom <= map_counter_group_is_equal;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 12;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_bottom <= map_read_bottom;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
-      map_column_1 <= other_1 / 8192;
+      map_write_column <= to_integer(other_0(4 downto 0));
+      map_column_1 <= other_3 / 8192;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_bottom <= map_ready_bottom;
-      map_at_output <= map_ready_output;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        (map_at_arrives or map_at_behind);
-      map_complete <= (not map_complete_choice_2) and map_at_output;
-      map_first <= map_at_arrives and map_at_top and (map_write_column = 1);
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
-        map_rows_write_words_0 <= (other_1 / 8192) + (map_rows_ready_newest_0 * 8192);
-        map_at_column <= map_ready_column;
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_0(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_0(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_0(48 downto 48)) = 1;
+      map_of_column_0_a <= map_of_column_0_a_choice;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_of_column_0_c_choice;
+      map_of_column_0_b_below_a <= ((map_column_1 / 2) - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_a <= (map_of_column_0_c_choice - map_of_column_0_a_choice) < 0;
+      map_of_column_0_c_below_b <= (map_of_column_0_c_choice - (map_column_1 / 2)) < 0;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= (map_low_1_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_a <= (map_low_2_0 - map_low_0_0) < 0;
+      map_of_low_0_c_below_b <= (map_low_2_0 - map_low_1_0) < 0;
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= (map_middle_1_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_a <= (map_middle_2_0 - map_middle_0_0) < 0;
+      map_of_middle_0_c_below_b <= (map_middle_2_0 - map_middle_1_0) < 0;
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
+      map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= (map_median_middle_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_a <= (map_smallest_high_0 - map_largest_low_0) < 0;
+      map_of_all_0_c_below_b <= (map_smallest_high_0 - map_median_middle_0) < 0;
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
+        map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
+        map_at_column <= to_integer(other_0(4 downto 0));
       end if;
-      if map_at_bottom then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := map_column_2 / 2;
-      end if;
-      if map_at_top then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := other_0 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice_2;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_3 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      if map_at_bottom then
-        map_low_0_0_choice_4 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_4 := (map_column_2 / 2) mod 4096;
-      end if;
-      map_low_0_0_choice_5 := map_low_0_0_choice_4 when map_low_0_0_choice < map_low_0_0_choice_3 else
-        map_low_0_0_choice_3;
-      map_low_0_0_choice_6 := map_low_0_0 when map_at_behind else map_low_0_0_choice_5;
-      map_low_1_0_all := map_at_arrives and (map_write_column = 0);
-      map_middle_0_0_choice := map_low_0_0_choice_2 when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := map_low_0_0_choice < map_middle_0_0_choice;
-      map_middle_0_0_choice_2 := map_low_0_0_choice when map_middle_0_0_is_less else map_middle_0_0_choice;
-      if map_middle_0_0_choice_2 < map_low_0_0_choice_3 then
-        map_middle_0_0_choice_3 := map_low_0_0_choice_3;
-      else
-        map_middle_0_0_choice_3 := map_middle_0_0_choice_2;
-      end if;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      if map_middle_0_0_is_less then
-        map_high_0_0_choice := map_middle_0_0_choice;
-      else
-        map_high_0_0_choice := map_low_0_0_choice;
-      end if;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      if not map_passed_1_0_all then
-        map_low_0_0 <= map_low_0_0_choice_6;
-        map_low_1_0 <= map_low_0_0_choice_6 when map_low_1_0_all else map_low_0_0;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if not map_window_complete_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= ((other_1 mod 8192) / 2) * 2;
-      other_1 <= to_integer(other_2);
-      other_3 <= winnerswinner1_best_index_0_1_choice_7;
-      other_4 <= winnerswinner1_best_index_0_3_choice_7;
-      other_5 <= winnerswinner1_best_index_0_5_choice_7;
+      other_0 <= other_2;
+      other_1 <= ((other_3 mod 8192) / 2) * 2;
+      other_2 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_3 <= to_integer(other_4);
+      other_5 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_6 / 4) * 4);
+      other_6 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_7 / 8) * 8);
+      other_7 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_8 / 16) * 16);
+      other_8 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_9 / 32) * 32);
+      other_9 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_10 / 64) * 64);
+      other_10 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_11 / 128) * 128);
+      other_11 <= (refinement_remainder_1_0_difference / 256) * 128;
+      other_12 <= winnerswinner1_best_index_0_1_choice_7;
+      other_13 <= winnerswinner1_best_index_0_3_choice_7;
+      other_14 <= winnerswinner1_best_index_0_5_choice_7;
       if reset = '1' then
         transform_left_0 <= 0;
         transform_right_0 <= 0;
@@ -9313,24 +7256,21 @@ begin
         transform_right_filter_column_4_3 <= 0;
         transform_right_filter_column_4_4 <= 0;
         transform_right_filter_feature_0 <= 0;
-        transform_filtering_column_inside_0 <= false;
-        transform_filtering_column_inside_1 <= false;
-        transform_filtering_column_inside_2 <= false;
-        transform_filtering_column_inside_3 <= false;
-        transform_filtering_column_inside_4 <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_column_inside_0 <= false;
+        transform_filtering_0_column_inside_1 <= false;
+        transform_filtering_0_column_inside_2 <= false;
+        transform_filtering_0_column_inside_3 <= false;
+        transform_filtering_0_column_inside_4 <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_search_0 <= 0;
         raster_features_reference_0 <= 0;
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
         raster_place_next_frame <= false;
-        delay_ring_read_address <= false;
-        delay_ring_write_address <= false;
         delay_ahead_0 <= 0;
         delay_delayed_0 <= 0;
         delay_column <= 0;
@@ -9569,6 +7509,23 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_0_0 <= 0;
+        slice0cost_pair_0_1 <= 0;
+        slice0cost_pair_0_2 <= 0;
+        slice0cost_pair_0_3 <= 0;
+        slice0cost_pair_0_4 <= 0;
+        slice0cost_single_0_0 <= 0;
+        slice0cost_single_0_1 <= 0;
+        slice0cost_single_0_2 <= 0;
+        slice0cost_single_0_3 <= 0;
+        slice0cost_single_0_4 <= 0;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_border_column <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_column_0_0 <= 0;
         slice0cost_column_0_1 <= 0;
         slice0cost_column_0_2 <= 0;
@@ -9796,6 +7753,16 @@ begin
         slice1cost_pixels_cost_2_2 <= 0;
         slice1cost_pixels_cost_2_3 <= 0;
         slice1cost_pixels_cost_2_4 <= 0;
+        slice1cost_pair_0_0 <= 0;
+        slice1cost_pair_0_1 <= 0;
+        slice1cost_pair_0_2 <= 0;
+        slice1cost_pair_0_3 <= 0;
+        slice1cost_pair_0_4 <= 0;
+        slice1cost_single_0_0 <= 0;
+        slice1cost_single_0_1 <= 0;
+        slice1cost_single_0_2 <= 0;
+        slice1cost_single_0_3 <= 0;
+        slice1cost_single_0_4 <= 0;
         slice1cost_column_0_0 <= 0;
         slice1cost_column_0_1 <= 0;
         slice1cost_column_0_2 <= 0;
@@ -9890,6 +7857,10 @@ begin
         slice2cost_pixels_cost_1_1 <= 0;
         slice2cost_pixels_cost_2_0 <= 0;
         slice2cost_pixels_cost_2_1 <= 0;
+        slice2cost_pair_0_0 <= 0;
+        slice2cost_pair_0_1 <= 0;
+        slice2cost_single_0_0 <= 0;
+        slice2cost_single_0_1 <= 0;
         slice2cost_column_0_0 <= 0;
         slice2cost_column_0_1 <= 0;
         slice2window_partial_0_0_0 <= 0;
@@ -9986,6 +7957,7 @@ begin
         forward_left_room <= 0;
         forward_left_smallest <= 0;
         forward_left_smallest_less <= 0;
+        forward_left_first_0 <= false;
         forward_left_first_1 <= false;
         forward_left_first_2 <= false;
         forward_left_g_copy_0 <= 0;
@@ -10173,7 +8145,6 @@ begin
         forward_sum_9 <= 0;
         forward_sum_10 <= 0;
         forward_sum_11 <= 0;
-        forward_first_4 <= false;
         forward_cost_0_0 <= 0;
         forward_cost_0_1 <= 0;
         forward_cost_0_2 <= 0;
@@ -10222,6 +8193,7 @@ begin
         forward_cost_3_9 <= 0;
         forward_cost_3_10 <= 0;
         forward_cost_3_11 <= 0;
+        forward_smallest_cost_0 <= 0;
         forward_smallest_cost_1 <= 0;
         forward_smallest_cost_2 <= 0;
         forward_smallest_cost_3 <= 0;
@@ -10238,6 +8210,10 @@ begin
         sums_turn_comes_2 <= false;
         sums_turn_comes_3 <= false;
         sums_turn_comes_4 <= false;
+        sums_turn_comes_5 <= false;
+        sums_turn_comes_6 <= false;
+        sums_turn_comes_7 <= false;
+        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -10392,6 +8368,18 @@ begin
         sums_tags_held_4_start_of_frame <= false;
         sums_tags_held_4_end_of_line <= false;
         sums_tags_moved <= false;
+        winnerswinner1_held_0_0 <= 0;
+        winnerswinner1_held_0_1 <= 0;
+        winnerswinner1_held_0_2 <= 0;
+        winnerswinner1_held_0_3 <= 0;
+        winnerswinner1_held_0_4 <= 0;
+        winnerswinner1_held_0_5 <= 0;
+        winnerswinner1_held_0_6 <= 0;
+        winnerswinner1_held_0_7 <= 0;
+        winnerswinner1_held_0_8 <= 0;
+        winnerswinner1_held_0_9 <= 0;
+        winnerswinner1_held_0_10 <= 0;
+        winnerswinner1_held_0_11 <= 0;
         winnerswinner1_best_cost_0_0 <= 0;
         winnerswinner1_best_cost_0_1 <= 0;
         winnerswinner1_best_cost_0_2 <= 0;
@@ -10416,19 +8404,22 @@ begin
         winnerswinner1_best_above_0_3 <= 0;
         winnerswinner1_best_above_0_4 <= 0;
         winnerswinner1_best_above_0_5 <= 0;
-        winnerswinner1_best_first_0_0 <= 0;
-        winnerswinner1_best_first_0_1 <= 0;
-        winnerswinner1_best_first_0_2 <= 0;
-        winnerswinner1_best_first_0_3 <= 0;
-        winnerswinner1_best_first_0_4 <= 0;
-        winnerswinner1_best_first_0_5 <= 0;
-        winnerswinner1_best_last_0_0 <= 0;
-        winnerswinner1_best_last_0_1 <= 0;
-        winnerswinner1_best_last_0_2 <= 0;
-        winnerswinner1_best_last_0_3 <= 0;
-        winnerswinner1_best_last_0_4 <= 0;
-        winnerswinner1_best_last_0_5 <= 0;
-        winnerswinner1_best_second_0_0 <= 0;
+        winnerswinner1_best_late_cost_0_0 <= 0;
+        winnerswinner1_best_late_cost_0_1 <= 0;
+        winnerswinner1_best_late_cost_0_2 <= 0;
+        winnerswinner1_best_late_cost_0_3 <= 0;
+        winnerswinner1_best_late_cost_0_4 <= 0;
+        winnerswinner1_best_late_cost_0_5 <= 0;
+        winnerswinner1_best_but_first_0_1 <= 127;
+        winnerswinner1_best_but_first_0_2 <= 127;
+        winnerswinner1_best_but_first_0_3 <= 127;
+        winnerswinner1_best_but_first_0_4 <= 127;
+        winnerswinner1_best_but_first_0_5 <= 127;
+        winnerswinner1_best_but_last_0_0 <= 127;
+        winnerswinner1_best_but_last_0_1 <= 127;
+        winnerswinner1_best_but_last_0_2 <= 127;
+        winnerswinner1_best_but_last_0_3 <= 127;
+        winnerswinner1_best_but_last_0_4 <= 127;
         winnerswinner1_tag_valid <= false;
         winnerswinner1_tag_map_column <= false;
         winnerswinner1_tag_output_column <= false;
@@ -10450,20 +8441,31 @@ begin
         winnerswinner2_best_first_0_2 <= 0;
         winnerswinner2_best_last_0_0 <= 0;
         winnerswinner2_best_last_0_1 <= 0;
-        winnerswinner2_best_second_0_0 <= 0;
-        winnerswinner2_best_second_0_1 <= 0;
-        winnerswinner2_best_second_0_2 <= 0;
-        winnerswinner2_best_but_first_0_1 <= 0;
-        winnerswinner2_best_but_first_0_2 <= 0;
-        winnerswinner2_best_but_last_0_0 <= 0;
-        winnerswinner2_best_but_last_0_1 <= 0;
+        winnerswinner2_best_place_0_0 <= false;
+        winnerswinner2_best_place_0_1 <= false;
+        winnerswinner2_best_place_0_2 <= false;
+        winnerswinner2_best_at_start_0_0 <= false;
+        winnerswinner2_best_at_start_0_1 <= false;
+        winnerswinner2_best_at_start_0_2 <= false;
+        winnerswinner2_best_at_end_0_0 <= false;
+        winnerswinner2_best_at_end_0_1 <= false;
+        winnerswinner2_best_at_end_0_2 <= false;
+        winnerswinner2_best_late_cost_0_0 <= 0;
+        winnerswinner2_best_late_cost_0_1 <= 0;
+        winnerswinner2_best_late_cost_0_2 <= 0;
+        winnerswinner2_best_second_0_0 <= 127;
+        winnerswinner2_best_second_0_1 <= 127;
+        winnerswinner2_best_second_0_2 <= 127;
+        winnerswinner2_best_but_first_0_1 <= 127;
+        winnerswinner2_best_but_first_0_2 <= 127;
+        winnerswinner2_best_but_last_0_0 <= 127;
+        winnerswinner2_best_but_last_0_1 <= 127;
         winnerswinner2_tag_valid <= false;
         winnerswinner2_tag_map_column <= false;
         winnerswinner2_tag_output_column <= false;
         winnerswinner2_tag_start_of_frame <= false;
         winnerswinner2_tag_end_of_line <= false;
         winnerswinner3_best_cost_0_0 <= 0;
-        winnerswinner3_best_cost_0_1 <= 0;
         winnerswinner3_best_index_0_0 <= 0;
         winnerswinner3_best_index_0_1 <= 0;
         winnerswinner3_best_below_0_0 <= 0;
@@ -10472,10 +8474,15 @@ begin
         winnerswinner3_best_above_0_1 <= 0;
         winnerswinner3_best_first_0_1 <= 0;
         winnerswinner3_best_last_0_0 <= 0;
-        winnerswinner3_best_second_0_0 <= 0;
-        winnerswinner3_best_second_0_1 <= 0;
-        winnerswinner3_best_but_first_0_1 <= 0;
-        winnerswinner3_best_but_last_0_0 <= 0;
+        winnerswinner3_best_place_0_0 <= false;
+        winnerswinner3_best_at_start_0_0 <= false;
+        winnerswinner3_best_at_end_0_0 <= false;
+        winnerswinner3_best_late_cost_0_0 <= 0;
+        winnerswinner3_best_late_cost_0_1 <= 0;
+        winnerswinner3_best_second_0_0 <= 127;
+        winnerswinner3_best_second_0_1 <= 127;
+        winnerswinner3_best_but_first_0_1 <= 127;
+        winnerswinner3_best_but_last_0_0 <= 127;
         winnerswinner3_tag_valid <= false;
         winnerswinner3_tag_map_column <= false;
         winnerswinner3_tag_output_column <= false;
@@ -10485,17 +8492,21 @@ begin
         winnerswinner4_best_index_0_0 <= 0;
         winnerswinner4_best_below_0_0 <= 0;
         winnerswinner4_best_above_0_0 <= 0;
-        winnerswinner4_best_second_0_0 <= 0;
+        winnerswinner4_best_place_0_0 <= false;
+        winnerswinner4_best_at_start_0_0 <= false;
+        winnerswinner4_best_at_end_0_0 <= false;
+        winnerswinner4_best_late_cost_0_0 <= 0;
+        winnerswinner4_best_second_0_0 <= 127;
         winnerswinner4_tag_valid <= false;
         winnerswinner4_tag_map_column <= false;
         winnerswinner4_tag_output_column <= false;
         winnerswinner4_tag_start_of_frame <= false;
         winnerswinner4_tag_end_of_line <= false;
-        winners_best_cost_0_0 <= 0;
         winners_best_index_0_0 <= 0;
         winners_best_below_0_0 <= 0;
         winners_best_above_0_0 <= 0;
-        winners_best_second_0_0 <= 0;
+        winners_best_late_cost_0_0 <= 0;
+        winners_best_second_0_0 <= 127;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;
@@ -10511,7 +8522,8 @@ begin
         refinement_disparity_7_0 <= 0;
         refinement_disparity_8_0 <= 0;
         refinement_disparity_9_0 <= 0;
-        refinement_passed_2_0 <= false;
+        refinement_disparity_10_0 <= 0;
+        refinement_disparity_11_0 <= 0;
         refinement_passed_3_0 <= false;
         refinement_passed_4_0 <= false;
         refinement_passed_5_0 <= false;
@@ -10519,6 +8531,8 @@ begin
         refinement_passed_7_0 <= false;
         refinement_passed_8_0 <= false;
         refinement_passed_9_0 <= false;
+        refinement_passed_10_0 <= false;
+        refinement_passed_11_0 <= false;
         refinement_tag_0_valid <= false;
         refinement_tag_0_map_column <= false;
         refinement_tag_0_output_column <= false;
@@ -10569,9 +8583,26 @@ begin
         refinement_tag_9_output_column <= false;
         refinement_tag_9_start_of_frame <= false;
         refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_map_column <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_map_column <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        refinement_alone_0_0 <= false;
+        refinement_alone_1_0 <= false;
         refinement_gap_0 <= 0;
         refinement_scaled_gap_0 <= 0;
         refinement_scaled_cost_0 <= 0;
+        refinement_below_0 <= 0;
+        refinement_above_0 <= 0;
+        refinement_u_0 <= 0;
+        refinement_v_0 <= 0;
+        refinement_difference_0 <= 0;
         refinement_remainder_0_0 <= 0;
         refinement_remainder_1_0 <= 0;
         refinement_remainder_2_0 <= 0;
@@ -10588,13 +8619,6 @@ begin
         refinement_divisor_5_0 <= 1;
         refinement_divisor_6_0 <= 1;
         refinement_divisor_7_0 <= 1;
-        refinement_quotient_1_0 <= false;
-        refinement_quotient_2_0 <= 0;
-        refinement_quotient_3_0 <= 0;
-        refinement_quotient_4_0 <= 0;
-        refinement_quotient_5_0 <= 0;
-        refinement_quotient_6_0 <= 0;
-        refinement_quotient_7_0 <= 0;
         refinement_quotient_8_0 <= 0;
         refinement_negative_0_0 <= false;
         refinement_negative_1_0 <= false;
@@ -10645,6 +8669,7 @@ begin
         turn_read_tag_end_of_line <= false;
         turn_write_place <= 0;
         turn_ready_tag_valid <= false;
+        turn_ready_tag_row_start <= false;
         turn_ready_tag_map_column <= false;
         turn_ready_tag_start_of_frame <= false;
         turn_ready_tag_end_of_line <= false;
@@ -10653,34 +8678,49 @@ begin
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_3 <= false;
-        other_4 <= false;
-        other_5 <= false;
+        other_0 <= to_unsigned(0, 49);
+        other_2 <= to_unsigned(0, 49);
+        other_5 <= 0;
+        other_6 <= 0;
+        other_7 <= 0;
+        other_8 <= 0;
+        other_9 <= 0;
+        other_10 <= 0;
+        other_11 <= 0;
+        other_12 <= false;
+        other_13 <= false;
+        other_14 <= false;
       end if;
     end if;
   end process;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 29,
-      latency_clocks => 52,
+      latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"103ed22d",
+      core_id => x"566af8d1",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 16,
       output_width_px => 29,
-      latency_clocks => 52,
+      latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 35,
+      latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"8c3b7eda",
+      core_id => x"8dc0d81b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 35,
+      latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0)
     port map (

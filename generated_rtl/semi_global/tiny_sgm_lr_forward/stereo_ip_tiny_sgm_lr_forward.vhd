@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 32,
+      latency_clocks => 35,
       flush_groups => 142,
       gap_groups => 0,
-      core_id => x"f099656f",
+      core_id => x"a7c649a8",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 32,
+      latency_clocks => 35,
       flush_groups => 142,
       gap_groups => 0)
     port map (

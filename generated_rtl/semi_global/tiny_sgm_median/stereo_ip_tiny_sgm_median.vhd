@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 38,
+      latency_clocks => 45,
       flush_groups => 248,
       gap_groups => 0,
-      core_id => x"25f50ff9",
+      core_id => x"2a1dd7ee",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 38,
+      latency_clocks => 45,
       flush_groups => 248,
       gap_groups => 0)
     port map (

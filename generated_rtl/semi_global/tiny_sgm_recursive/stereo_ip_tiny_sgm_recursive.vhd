@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 34,
+      latency_clocks => 36,
       flush_groups => 248,
       gap_groups => 80,
-      core_id => x"af03cdc2",
+      core_id => x"69547558",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 34,
+      latency_clocks => 36,
       flush_groups => 248,
       gap_groups => 80)
     port map (

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 31,
+      latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"bf1be935",
+      core_id => x"55cba3b0",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 31,
+      latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0)
     port map (

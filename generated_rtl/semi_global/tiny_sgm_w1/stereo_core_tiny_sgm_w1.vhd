@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_w1: 40x12, 12 disparities, window 1x1, P1 4, P2 24, 1 pixel pairs a clock.
+-- Stereo core, semi global, configuration tiny_sgm_w1: 40x12, 12 disparities, window 1x1, P1 4, P2 24, 1 pixel pair a clock.
 -- Options: disparities 12, window_px 1, census_width_px 9, cost_shift 2, p1 4, p2 24, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_sgm_w1
@@ -17,7 +17,7 @@ entity stereo_core_tiny_sgm_w1 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 29;
+    latency_clocks : positive := 32;
     flush_groups : positive := 168;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_w1: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_sgm_w1: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_sgm_w1: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 29 report "stereo_core_tiny_sgm_w1: latency_clocks is " & integer'image(latency_clocks) & " but this core has 29" severity failure;
+  assert latency_clocks = 32 report "stereo_core_tiny_sgm_w1: latency_clocks is " & integer'image(latency_clocks) & " but this core has 32" severity failure;
   assert flush_groups = 168 report "stereo_core_tiny_sgm_w1: flush_groups is " & integer'image(flush_groups) & " but this core has 168" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_sgm_w1: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_sgm_w1 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -162,12 +160,12 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
   signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_column_inside_5 : boolean;
-  signal transform_filtering_column_inside_6, transform_filtering_column_inside_7 : boolean;
-  signal transform_filtering_column_inside_8, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_5 : boolean;
+  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_7 : boolean;
+  signal transform_filtering_0_column_inside_8, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -241,11 +239,16 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 44;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4 : natural range 0 to 44;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_single_0_0 : natural range 0 to 44;
+  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 44;
+  signal slice0cost_single_0_4 : natural range 0 to 44;
   -- slice0window
   signal slice0window_tag_valid, slice0window_tag_border_column, slice0window_tag_first_cost : boolean;
   signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_start_of_frame : boolean;
@@ -303,7 +306,9 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal slice1cost_pixels_first_0_2_count_14, slice1cost_pixels_first_0_3_count_14 : natural range 0 to 2;
   signal slice1cost_pixels_first_0_4_count_14 : natural range 0 to 2;
   signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 44;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4 : natural range 0 to 44;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_single_0_0 : natural range 0 to 44;
+  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 44;
+  signal slice1cost_single_0_4 : natural range 0 to 44;
   -- slice1
   signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 11;
   signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 11;
@@ -325,7 +330,8 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal slice2cost_pixels_first_0_1_count_10, slice2cost_pixels_first_0_1_count_11 : natural range 0 to 3;
   signal slice2cost_pixels_first_0_1_count_12, slice2cost_pixels_first_0_1_count_13 : natural range 0 to 3;
   signal slice2cost_pixels_first_0_0_count_14, slice2cost_pixels_first_0_1_count_14 : natural range 0 to 2;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1 : natural range 0 to 44;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_single_0_0 : natural range 0 to 44;
+  signal slice2cost_single_0_1 : natural range 0 to 44;
   -- slice2
   signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 11;
   -- entry
@@ -335,11 +341,11 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal entry_cost_0, entry_cost_1, entry_cost_2, entry_cost_3, entry_cost_4, entry_cost_5 : natural range 0 to 11;
   signal entry_cost_6, entry_cost_7, entry_cost_8, entry_cost_9, entry_cost_10, entry_cost_11 : natural range 0 to 11;
   signal entry_next_tag_valid, entry_next_tag_first_cost, entry_next_tag_map_column : boolean;
-  signal entry_next_tag_first_column, entry_next_tag_end_of_line, entry_next_top, entry_order_falls : boolean;
-  signal entry_order_inside, entry_order_complete, entry_order_output, entry_order_first : boolean;
-  signal entry_order_held_output, entry_order_turned_output_column, entry_order_turned_start_of_frame : boolean;
-  signal entry_tag_valid, entry_tag_first_cost, entry_tag_map_column, entry_tag_first_column : boolean;
-  signal entry_tag_end_of_line, entry_top, entry_turned_output_column, entry_turned_start_of_frame : boolean;
+  signal entry_next_tag_end_of_line, entry_next_top, entry_order_falls, entry_order_inside : boolean;
+  signal entry_order_complete, entry_order_output, entry_order_first, entry_order_held_output : boolean;
+  signal entry_order_turned_output_column, entry_order_turned_first_column, entry_order_turned_start_of_frame : boolean;
+  signal entry_tag_valid, entry_tag_first_cost, entry_tag_map_column, entry_tag_end_of_line, entry_top : boolean;
+  signal entry_turned_output_column, entry_turned_first_column, entry_turned_start_of_frame : boolean;
   signal entry_next_column, entry_order_address, entry_column, entry_place : natural range 0 to 31;
   -- forward
   signal forward_smallest_smallest_0, forward_smallest_smallest_1, forward_smallest_smallest_2 : natural range 0 to 11;
@@ -351,8 +357,8 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal forward_above_ready_cost_2, forward_above_ready_cost_3, forward_above_ready_cost_4 : natural range 0 to 11;
   signal forward_above_ready_cost_5, forward_above_ready_cost_6, forward_above_ready_cost_7 : natural range 0 to 11;
   signal forward_above_ready_cost_8, forward_above_ready_cost_9, forward_above_ready_cost_10 : natural range 0 to 11;
-  signal forward_above_ready_cost_11, forward_smallest_cost_1, forward_smallest_cost_2 : natural range 0 to 11;
-  signal forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 11;
+  signal forward_above_ready_cost_11, forward_smallest_cost_0, forward_smallest_cost_1 : natural range 0 to 11;
+  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 11;
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
@@ -453,8 +459,9 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
   signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
-  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
+  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
+  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
   signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
   signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
   signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
@@ -493,34 +500,43 @@ architecture rtl of stereo_core_tiny_sgm_w1 is
   signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 127;
   signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 127;
   -- winnerswinner1
+  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_pair_0_8 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_9, winnerswinner1_of_pair_0_10, winnerswinner1_of_pair_0_11 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_0, winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_3, winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_6, winnerswinner1_of_four_0_7, winnerswinner1_of_four_0_8 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_9, winnerswinner1_of_four_0_10, winnerswinner1_of_four_0_11 : natural range 0 to 127;
   signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
-  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
-  signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  signal winnerswinner1_best_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_map_column : boolean;
+  signal winnerswinner1_pair_tag_output_column, winnerswinner1_pair_tag_start_of_frame : boolean;
+  signal winnerswinner1_pair_tag_end_of_line, winnerswinner1_four_tag_valid : boolean;
+  signal winnerswinner1_four_tag_map_column, winnerswinner1_four_tag_output_column : boolean;
+  signal winnerswinner1_four_tag_start_of_frame, winnerswinner1_four_tag_end_of_line : boolean;
+  signal winnerswinner1_tag_valid, winnerswinner1_tag_map_column, winnerswinner1_tag_output_column : boolean;
+  signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_pair_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner2_best_cost_0_2 : natural range 0 to 127;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_of_pair_0_0, winnerswinner2_of_pair_0_1, winnerswinner2_of_pair_0_2 : natural range 0 to 127;
+  signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
+  signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_pair_tag_valid, winnerswinner2_pair_tag_map_column : boolean;
+  signal winnerswinner2_pair_tag_output_column, winnerswinner2_pair_tag_start_of_frame : boolean;
+  signal winnerswinner2_pair_tag_end_of_line, winnerswinner2_four_tag_valid : boolean;
+  signal winnerswinner2_four_tag_map_column, winnerswinner2_four_tag_output_column : boolean;
+  signal winnerswinner2_four_tag_start_of_frame, winnerswinner2_four_tag_end_of_line : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
-  -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
-  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
-  signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
-  signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
-  -- winnerswinner4
-  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
-  signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
-  signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
@@ -737,11 +753,10 @@ begin
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
     variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
     variable transform_read_column_inside_0_value_3, transform_read_column_inside_1_differs : boolean;
-    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_2_choice : boolean;
-    variable transform_read_column_inside_3_value, transform_read_column_inside_5_is_equal : boolean;
-    variable transform_read_column_inside_5_choice, transform_read_column_inside_5_choice_2 : boolean;
-    variable transform_read_column_inside_5_is_equal_2, transform_read_column_inside_5_choice_3 : boolean;
-    variable transform_read_column_inside_6_choice, transform_read_column_inside_6_choice_2 : boolean;
+    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_3_value : boolean;
+    variable transform_read_column_inside_5_is_equal, transform_read_column_inside_5_choice : boolean;
+    variable transform_read_column_inside_5_choice_2, transform_read_column_inside_5_is_equal_2 : boolean;
+    variable transform_read_column_inside_5_choice_3, transform_read_column_inside_6_choice : boolean;
     variable transform_read_column_inside_7_choice, transform_left_filter_feature_0_value : boolean;
     variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
     variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
@@ -1108,448 +1123,147 @@ begin
     variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_350 : boolean;
     variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_351 : boolean;
     variable transform_right_filter_feature_0_choice_352, transform_counter_next_frame_choice : boolean;
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_map_column_all : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_6, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_8_value, slice0cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice, slice0cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_4, slice0cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_5, slice0cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_3, slice0cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_choice_2, slice0cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_6, slice0cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_10_value, slice0cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice, slice0cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_4, slice0cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_5, slice0cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_3, slice0cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_choice_2, slice0cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_6, slice0cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_12_value, slice0cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice, slice0cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_4, slice0cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_5, slice0cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_3, slice0cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_choice_2, slice0cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_6, slice0cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_choice, slice0cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_value_2, slice0cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice, slice0cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice_3, slice0cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_9_choice_2, slice0cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice, slice0cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice_3, slice0cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_11_choice_2, slice0cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice, slice0cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice_3, slice0cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_13_choice_2, slice0cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_14_choice, slice0cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice, slice0cost_pixels_first_0_2_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice_3, slice0cost_pixels_first_0_2_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_9_choice_2, slice0cost_pixels_first_0_2_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice, slice0cost_pixels_first_0_2_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice_3, slice0cost_pixels_first_0_2_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_11_choice_2, slice0cost_pixels_first_0_2_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice, slice0cost_pixels_first_0_2_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice_3, slice0cost_pixels_first_0_2_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_13_choice_2, slice0cost_pixels_first_0_2_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_14_choice, slice0cost_pixels_first_0_2_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice, slice0cost_pixels_first_0_3_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice_3, slice0cost_pixels_first_0_3_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_9_choice_2, slice0cost_pixels_first_0_3_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice, slice0cost_pixels_first_0_3_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice_3, slice0cost_pixels_first_0_3_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_11_choice_2, slice0cost_pixels_first_0_3_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice, slice0cost_pixels_first_0_3_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice_3, slice0cost_pixels_first_0_3_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_13_choice_2, slice0cost_pixels_first_0_3_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_14_choice, slice0cost_pixels_first_0_3_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice, slice0cost_pixels_first_0_4_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice_3, slice0cost_pixels_first_0_4_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_9_choice_2, slice0cost_pixels_first_0_4_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice, slice0cost_pixels_first_0_4_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice_3, slice0cost_pixels_first_0_4_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_11_choice_2, slice0cost_pixels_first_0_4_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice, slice0cost_pixels_first_0_4_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice_3, slice0cost_pixels_first_0_4_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_13_choice_2, slice0cost_pixels_first_0_4_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_14_choice, slice0cost_pixels_first_0_4_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice, slice1cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_4, slice1cost_pixels_first_0_0_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_4, slice1cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_5, slice1cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_3, slice1cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_2, slice1cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_6, slice1cost_pixels_first_0_0_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_4, slice1cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_5, slice1cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_2, slice1cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_6, slice1cost_pixels_first_0_0_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_4, slice1cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_5, slice1cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_2, slice1cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_6, slice1cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value, slice1cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_choice, slice1cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value_4, slice1cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value_5, slice1cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_choice_3, slice1cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_2, slice1cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_3, slice1cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_choice_2, slice1cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_6, slice1cost_pixels_first_0_0_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value, slice1cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_choice, slice1cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value_4, slice1cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value_5, slice1cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_choice_3, slice1cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_2, slice1cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_3, slice1cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_choice_2, slice1cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_6, slice1cost_pixels_first_0_0_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value, slice1cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_choice, slice1cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value_4, slice1cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value_5, slice1cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_choice_3, slice1cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_2, slice1cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_3, slice1cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_choice_2, slice1cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_6, slice1cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_14_choice, slice1cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_14_value_2, slice1cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice, slice1cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice, slice1cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_3, slice1cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice_2, slice1cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_2, slice1cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice, slice1cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_3, slice1cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_2, slice1cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice, slice1cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_3, slice1cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_2, slice1cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_8_choice, slice1cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_8_choice_3, slice1cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_9_choice_2, slice1cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_10_choice, slice1cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_10_choice_3, slice1cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_11_choice_2, slice1cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_12_choice, slice1cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_12_choice_3, slice1cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_13_choice_2, slice1cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_14_choice, slice1cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice, slice1cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice, slice1cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_3, slice1cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice_2, slice1cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_2, slice1cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice, slice1cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_3, slice1cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_2, slice1cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice, slice1cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_3, slice1cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_2, slice1cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_8_choice, slice1cost_pixels_first_0_2_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_8_choice_3, slice1cost_pixels_first_0_2_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_9_choice_2, slice1cost_pixels_first_0_2_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_10_choice, slice1cost_pixels_first_0_2_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_10_choice_3, slice1cost_pixels_first_0_2_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_11_choice_2, slice1cost_pixels_first_0_2_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_12_choice, slice1cost_pixels_first_0_2_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_12_choice_3, slice1cost_pixels_first_0_2_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_13_choice_2, slice1cost_pixels_first_0_2_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_14_choice, slice1cost_pixels_first_0_2_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice, slice1cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice, slice1cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_3, slice1cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice_2, slice1cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_2, slice1cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice, slice1cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_3, slice1cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_2, slice1cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice, slice1cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_3, slice1cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_2, slice1cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_8_choice, slice1cost_pixels_first_0_3_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_8_choice_3, slice1cost_pixels_first_0_3_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_9_choice_2, slice1cost_pixels_first_0_3_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_10_choice, slice1cost_pixels_first_0_3_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_10_choice_3, slice1cost_pixels_first_0_3_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_11_choice_2, slice1cost_pixels_first_0_3_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_12_choice, slice1cost_pixels_first_0_3_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_12_choice_3, slice1cost_pixels_first_0_3_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_13_choice_2, slice1cost_pixels_first_0_3_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_14_choice, slice1cost_pixels_first_0_3_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice, slice1cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice, slice1cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_3, slice1cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice_2, slice1cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_2, slice1cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice, slice1cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_3, slice1cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_2, slice1cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice, slice1cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_3, slice1cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_2, slice1cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_8_choice, slice1cost_pixels_first_0_4_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_8_choice_3, slice1cost_pixels_first_0_4_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_9_choice_2, slice1cost_pixels_first_0_4_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_10_choice, slice1cost_pixels_first_0_4_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_10_choice_3, slice1cost_pixels_first_0_4_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_11_choice_2, slice1cost_pixels_first_0_4_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_12_choice, slice1cost_pixels_first_0_4_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_12_choice_3, slice1cost_pixels_first_0_4_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_13_choice_2, slice1cost_pixels_first_0_4_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_14_choice, slice1cost_pixels_first_0_4_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_14_value, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_8_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value_2, slice1cost_pixels_first_0_0_count_8_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value, slice1cost_pixels_first_0_0_count_9_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value_3, slice1cost_pixels_first_0_0_count_10_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_value_2, slice1cost_pixels_first_0_0_count_10_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value, slice1cost_pixels_first_0_0_count_11_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value_3, slice1cost_pixels_first_0_0_count_12_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_value_2, slice1cost_pixels_first_0_0_count_12_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value, slice1cost_pixels_first_0_0_count_13_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value_3, slice1cost_pixels_first_0_0_count_14_value : boolean;
     variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice, slice2cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_4, slice2cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_4, slice2cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_5, slice2cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_3, slice2cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_2, slice2cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_6, slice2cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_4, slice2cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_5, slice2cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_2, slice2cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_6, slice2cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_4, slice2cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_5, slice2cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_2, slice2cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_6, slice2cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_8_value, slice2cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_choice, slice2cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_value_4, slice2cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_value_5, slice2cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_choice_3, slice2cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_2, slice2cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_3, slice2cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_choice_2, slice2cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_6, slice2cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_value_3, slice2cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_value_2, slice2cost_pixels_first_0_0_count_9_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_10_value, slice2cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_choice, slice2cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_value_4, slice2cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_value_5, slice2cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_choice_3, slice2cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_2, slice2cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_3, slice2cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_choice_2, slice2cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_6, slice2cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_value_3, slice2cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_value_2, slice2cost_pixels_first_0_0_count_11_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_12_value, slice2cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_choice, slice2cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_value_4, slice2cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_value_5, slice2cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_choice_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_3, slice2cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_choice_2, slice2cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_6, slice2cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_14_choice, slice2cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_14_value_2, slice2cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice, slice2cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice, slice2cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_3, slice2cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice_2, slice2cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_2, slice2cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice, slice2cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_3, slice2cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_2, slice2cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice, slice2cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_3, slice2cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_2, slice2cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_8_choice, slice2cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_8_choice_3, slice2cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_9_choice_2, slice2cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_10_choice, slice2cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_10_choice_3, slice2cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_11_choice_2, slice2cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_12_choice, slice2cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_12_choice_3, slice2cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_13_choice_2, slice2cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_14_choice, slice2cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable entry_next_tag_first_column_all, entry_order_address_all, entry_order_complete_any : boolean;
-    variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable forward_left_start_cost_0_value, forward_above_write_words_0_all, sums_right_start_cost_0_value : boolean;
-    variable sums_turn_write_sums_0_all, winnerswinner1_best_index_0_0_choice : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_2 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_4 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_1_choice : boolean;
-    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_3 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_4 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_choice : boolean;
-    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_3 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_4 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_choice : boolean;
-    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_2 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_3 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_value_4 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_1_choice : boolean;
-    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
-    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_complete_any, turn_order_turned_output_column_all : boolean;
-    variable turn_order_turned_output_column_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_value_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_14_value, entry_order_address_all, entry_order_address_all_2 : boolean;
+    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
+    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
+    variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value_8, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_value_9, winnerswinner2_four_index_0_0_value_10 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
+    variable turn_order_address_all, turn_order_address_all_2, turn_order_complete_any : boolean;
+    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_353 : natural range 0 to 31;
@@ -1647,8 +1361,6 @@ begin
       transform_read_column_inside_0_value_3 := ((transform_counter_column / 4) mod 2) = 1;
       transform_read_column_inside_1_differs := (transform_counter_column / 4) /= 0;
       transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
-      transform_read_column_inside_2_choice := not ((transform_counter_column / 32) = 1) when
-        transform_read_column_inside_2_is_equal else (transform_counter_column / 32) = 1;
       transform_read_column_inside_3_value := ((transform_counter_column / 2) mod 2) = 1;
       transform_read_column_inside_5_is_equal := ((transform_counter_column / 4) mod 4) = 0;
       transform_read_column_inside_5_choice := transform_read_column_inside_5_is_equal when
@@ -1662,8 +1374,6 @@ begin
       transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
         transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3) when
         transform_read_column_inside_3_value else transform_read_column_inside_5_is_equal_2;
-      transform_read_column_inside_6_choice_2 := not transform_read_column_inside_0_value_2 when
-        transform_read_column_inside_2_is_equal else transform_read_column_inside_0_value_2;
       transform_read_column_inside_7_choice := transform_read_column_inside_5_choice when (transform_counter_column mod
         2) = 1 else not transform_read_column_inside_0_value_2;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
@@ -2155,9 +1865,9 @@ begin
       transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
         (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+      transform_left_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and
         ((transform_left_filter_column_4_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        transform_left_filter_feature_0_choice_167 else transform_filtering_0_column_inside_4 and
         (((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2693,7 +2403,7 @@ begin
       transform_left_filter_feature_0_choice_352 := (not ((transform_left_filter_column_4_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_351 else (not
         ((transform_left_filter_column_4_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_353 := (as_number(transform_left_filter_feature_0_choice_320) * 8) +
           (as_number(transform_left_filter_feature_0_choice_328) * 16) +
           (as_number(transform_left_filter_feature_0_choice_336) * 4) +
@@ -2702,7 +2412,7 @@ begin
       else
         transform_left_filter_feature_0_choice_353 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choice_280) * 256) +
           (as_number(transform_left_filter_feature_0_choice_288) * 512) +
           (as_number(transform_left_filter_feature_0_choice_296) * 128) +
@@ -2711,7 +2421,7 @@ begin
       else
         transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choice_240) * 8192) +
           (as_number(transform_left_filter_feature_0_choice_248) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_256) * 4096) +
@@ -2720,7 +2430,7 @@ begin
       else
         transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choice_200) * 262144)
           + (as_number(transform_left_filter_feature_0_choice_208) * 524288) +
           (as_number(transform_left_filter_feature_0_choice_216) * 131072) +
@@ -2729,7 +2439,7 @@ begin
       else
         transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choice_176) * 2097152)
           + (as_number(transform_left_filter_feature_0_choice_184) * 4194304) +
           (as_number(transform_left_filter_feature_0_choice_192) * 1048576) +
@@ -2737,7 +2447,7 @@ begin
       else
         transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_128) *
           16777216) + (as_number(transform_left_filter_feature_0_choice_136) * 33554432) +
           (as_number(transform_left_filter_feature_0_choice_144) * 67108864) +
@@ -2749,7 +2459,7 @@ begin
         transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_168) * 8388608)
           + transform_left_filter_feature_0_choice_357;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_left_filter_feature_0_choice_359 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
@@ -2760,7 +2470,7 @@ begin
       else
         transform_left_filter_feature_0_choice_359 := to_unsigned(transform_left_filter_feature_0_choice_358, 34);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_left_filter_feature_0_choice_360 := to_unsigned(as_number(transform_left_filter_feature_0_choice_80),
           1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
@@ -3259,9 +2969,9 @@ begin
       transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
         (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+      transform_right_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and
         ((transform_right_filter_column_4_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        transform_right_filter_feature_0_choice_167 else transform_filtering_0_column_inside_4 and
         (((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -3797,7 +3507,7 @@ begin
       transform_right_filter_feature_0_choice_352 := (not ((transform_right_filter_column_4_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_351 else (not
         ((transform_right_filter_column_4_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_353 := (as_number(transform_right_filter_feature_0_choice_320) * 8) +
           (as_number(transform_right_filter_feature_0_choice_328) * 16) +
           (as_number(transform_right_filter_feature_0_choice_336) * 4) +
@@ -3806,7 +3516,7 @@ begin
       else
         transform_right_filter_feature_0_choice_353 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choice_280) * 256) +
           (as_number(transform_right_filter_feature_0_choice_288) * 512) +
           (as_number(transform_right_filter_feature_0_choice_296) * 128) +
@@ -3815,7 +3525,7 @@ begin
       else
         transform_right_filter_feature_0_choice_354 := transform_right_filter_feature_0_choice_353;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choice_240) * 8192)
           + (as_number(transform_right_filter_feature_0_choice_248) * 16384) +
           (as_number(transform_right_filter_feature_0_choice_256) * 4096) +
@@ -3824,7 +3534,7 @@ begin
       else
         transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choice_200) *
           262144) + (as_number(transform_right_filter_feature_0_choice_208) * 524288) +
           (as_number(transform_right_filter_feature_0_choice_216) * 131072) +
@@ -3834,7 +3544,7 @@ begin
       else
         transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choice_176) *
           2097152) + (as_number(transform_right_filter_feature_0_choice_184) * 4194304) +
           (as_number(transform_right_filter_feature_0_choice_192) * 1048576) +
@@ -3842,7 +3552,7 @@ begin
       else
         transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_128) *
           16777216) + (as_number(transform_right_filter_feature_0_choice_136) * 33554432) +
           (as_number(transform_right_filter_feature_0_choice_144) * 67108864) +
@@ -3854,7 +3564,7 @@ begin
         transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_168) *
           8388608) + transform_right_filter_feature_0_choice_357;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_right_filter_feature_0_choice_359 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
@@ -3865,7 +3575,7 @@ begin
       else
         transform_right_filter_feature_0_choice_359 := to_unsigned(transform_right_filter_feature_0_choice_358, 34);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_right_filter_feature_0_choice_360 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
@@ -3890,25 +3600,26 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
         or transform_read_column_inside_0_value_2 or transform_read_column_inside_0_value_3;
       transform_read_column_inside_1 <= transform_read_column_inside_1_differs or ((transform_counter_column mod 4) =
         0);
-      transform_read_column_inside_2 <= transform_read_column_inside_2_choice when ((transform_counter_column / 2) mod
-        16) = 0 else transform_read_column_inside_1_differs;
+      transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= ((transform_counter_column / 32) =
+        1) when ((transform_counter_column / 2) mod 16) = 0 else transform_read_column_inside_1_differs;
       transform_read_column_inside_3 <= transform_read_column_inside_1_differs or (not ((transform_counter_column mod
         2) = 1)) or (not transform_read_column_inside_3_value);
       transform_read_column_inside_4 <= true;
       transform_read_column_inside_5 <= transform_read_column_inside_5_choice_3 when
         transform_read_column_inside_5_choice_2 else transform_read_column_inside_1_differs;
-      transform_read_column_inside_6 <= transform_read_column_inside_6_choice_2 when
-        transform_read_column_inside_6_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
+        transform_read_column_inside_0_value_2 when transform_read_column_inside_6_choice else
+        transform_read_column_inside_1_differs;
       transform_read_column_inside_7 <= transform_read_column_inside_5_choice_3 when
         transform_read_column_inside_7_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_8 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
@@ -3963,28 +3674,28 @@ begin
         to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
-        transform_left_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        transform_left_filter_feature_0_choice_360(38 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_left_filter_feature_0_choice_360, 44);
       transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
-        transform_right_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        transform_right_filter_feature_0_choice_360(38 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_right_filter_feature_0_choice_360, 44);
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
-      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_column_inside_7 <= transform_columns_column_inside_7;
-      transform_filtering_column_inside_8 <= transform_columns_column_inside_8;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_0_column_inside_7 <= transform_columns_column_inside_7;
+      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
         transform_counter_next_frame;
       if in_valid then
@@ -4097,12 +3808,12 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_valid and transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= 0 when transform_filtering_1_valid and transform_filtering_1_start_of_frame else
         (raster_place_group + as_number(((raster_place_group /= 12) and raster_place_group_is_equal and
-        transform_filtered_valid))) mod 16;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+        transform_filtering_1_valid))) mod 16;
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
@@ -4111,15 +3822,17 @@ begin
         delay_ring_write_address <= delay_ring_read_address;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
+      delay_tag_map_column_all := delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_ahead_0 <= raster_features_search_0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_less when
-        (raster_place_group / 8) = 1 else delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_all;
+      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_not_less and
+        delay_tag_map_column_is_less when (raster_place_group / 8) = 1 else delay_tag_map_column_all;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -4151,727 +3864,364 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := to_integer(slice0shift_reference_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_search_0_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := to_integer(slice0shift_search_0_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
       slice0cost_pixels_first_0_0_count_1_value := to_integer(slice0shift_reference_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_search_0_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := to_integer(slice0shift_search_0_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := to_integer(slice0shift_search_0_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
       slice0cost_pixels_first_0_0_count_2_value := to_integer(slice0shift_reference_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_search_0_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := to_integer(slice0shift_search_0_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
       slice0cost_pixels_first_0_0_count_3_value := to_integer(slice0shift_reference_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_search_0_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := to_integer(slice0shift_search_0_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := to_integer(slice0shift_search_0_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
       slice0cost_pixels_first_0_0_count_4_value := to_integer(slice0shift_reference_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_search_0_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := to_integer(slice0shift_search_0_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := to_integer(slice0shift_search_0_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
       slice0cost_pixels_first_0_0_count_5_value := to_integer(slice0shift_reference_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_search_0_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := to_integer(slice0shift_search_0_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := to_integer(slice0shift_search_0_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
       slice0cost_pixels_first_0_0_count_6_value := to_integer(slice0shift_reference_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_search_0_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := to_integer(slice0shift_search_0_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := to_integer(slice0shift_search_0_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
       slice0cost_pixels_first_0_0_count_7_value := to_integer(slice0shift_reference_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_search_0_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := to_integer(slice0shift_search_0_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_0_count_7_value_5 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_6 := to_integer(slice0shift_search_0_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_6 when
-        slice0cost_pixels_first_0_0_count_7_value_5 else slice0cost_pixels_first_0_0_count_7_value_6;
+      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
       slice0cost_pixels_first_0_0_count_8_value := to_integer(slice0shift_reference_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_search_0_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value_2 when
-        slice0cost_pixels_first_0_0_count_8_value else slice0cost_pixels_first_0_0_count_8_value_2;
-      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_4 := to_integer(slice0shift_search_0_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_4 when
-        slice0cost_pixels_first_0_0_count_8_value_3 else slice0cost_pixels_first_0_0_count_8_value_4;
-      slice0cost_pixels_first_0_0_count_8_value_5 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_6 := to_integer(slice0shift_search_0_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_6 when
-        slice0cost_pixels_first_0_0_count_8_value_5 else slice0cost_pixels_first_0_0_count_8_value_6;
+      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
       slice0cost_pixels_first_0_0_count_9_value := to_integer(slice0shift_reference_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_search_0_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value_2 when
-        slice0cost_pixels_first_0_0_count_9_value else slice0cost_pixels_first_0_0_count_9_value_2;
-      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_4 := to_integer(slice0shift_search_0_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_4 when
-        slice0cost_pixels_first_0_0_count_9_value_3 else slice0cost_pixels_first_0_0_count_9_value_4;
-      slice0cost_pixels_first_0_0_count_9_value_5 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_6 := to_integer(slice0shift_search_0_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_6 when
-        slice0cost_pixels_first_0_0_count_9_value_5 else slice0cost_pixels_first_0_0_count_9_value_6;
+      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
       slice0cost_pixels_first_0_0_count_10_value := to_integer(slice0shift_reference_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_search_0_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value_2 when
-        slice0cost_pixels_first_0_0_count_10_value else slice0cost_pixels_first_0_0_count_10_value_2;
-      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_4 := to_integer(slice0shift_search_0_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_4 when
-        slice0cost_pixels_first_0_0_count_10_value_3 else slice0cost_pixels_first_0_0_count_10_value_4;
-      slice0cost_pixels_first_0_0_count_10_value_5 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_6 := to_integer(slice0shift_search_0_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_6 when
-        slice0cost_pixels_first_0_0_count_10_value_5 else slice0cost_pixels_first_0_0_count_10_value_6;
+      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
       slice0cost_pixels_first_0_0_count_11_value := to_integer(slice0shift_reference_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_search_0_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value_2 when
-        slice0cost_pixels_first_0_0_count_11_value else slice0cost_pixels_first_0_0_count_11_value_2;
-      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_4 := to_integer(slice0shift_search_0_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_4 when
-        slice0cost_pixels_first_0_0_count_11_value_3 else slice0cost_pixels_first_0_0_count_11_value_4;
-      slice0cost_pixels_first_0_0_count_11_value_5 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_6 := to_integer(slice0shift_search_0_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_6 when
-        slice0cost_pixels_first_0_0_count_11_value_5 else slice0cost_pixels_first_0_0_count_11_value_6;
+      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
       slice0cost_pixels_first_0_0_count_12_value := to_integer(slice0shift_reference_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_search_0_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value_2 when
-        slice0cost_pixels_first_0_0_count_12_value else slice0cost_pixels_first_0_0_count_12_value_2;
-      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_4 := to_integer(slice0shift_search_0_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_4 when
-        slice0cost_pixels_first_0_0_count_12_value_3 else slice0cost_pixels_first_0_0_count_12_value_4;
-      slice0cost_pixels_first_0_0_count_12_value_5 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_6 := to_integer(slice0shift_search_0_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_6 when
-        slice0cost_pixels_first_0_0_count_12_value_5 else slice0cost_pixels_first_0_0_count_12_value_6;
+      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
       slice0cost_pixels_first_0_0_count_13_value := to_integer(slice0shift_reference_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_search_0_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value_2 when
-        slice0cost_pixels_first_0_0_count_13_value else slice0cost_pixels_first_0_0_count_13_value_2;
-      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_4 := to_integer(slice0shift_search_0_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_4 when
-        slice0cost_pixels_first_0_0_count_13_value_3 else slice0cost_pixels_first_0_0_count_13_value_4;
-      slice0cost_pixels_first_0_0_count_13_value_5 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_6 := to_integer(slice0shift_search_0_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_6 when
-        slice0cost_pixels_first_0_0_count_13_value_5 else slice0cost_pixels_first_0_0_count_13_value_6;
-      slice0cost_pixels_first_0_0_count_14_choice := not (to_integer(slice0shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_reference_0(43 downto 43)) = 1 else to_integer(slice0shift_search_0_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
       slice0cost_pixels_first_0_0_count_14_value := to_integer(slice0shift_reference_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_value_2 := to_integer(slice0shift_search_0_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_2 when
-        slice0cost_pixels_first_0_0_count_14_value else slice0cost_pixels_first_0_0_count_14_value_2;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_1(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_1(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_1(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_1(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_1(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_1(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_1(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_1(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_1(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_1(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_1(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_1(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_1(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_1(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_1(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_1(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_1(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_1(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_1(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_1(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_1(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_1(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_1_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_1(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_1_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_1(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_1_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_1(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_1_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_1(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_1_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_1(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_1_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_1(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_1_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_1(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_1_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_1(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_1_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_1(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_1_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_1(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_1_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_1(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_1_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_1(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_1_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_1(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_1_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_1(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_1_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_1(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_1_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_1(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_1_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_1(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_1_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_1(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_1_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_1(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_1_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_1(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_2(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_2(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_2(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_2(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_2(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_2(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_2(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_2(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_2(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_2(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_2(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_2(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_2(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_2(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_2(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_2(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_2(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_2(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_2(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_2(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_2(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_2(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_2_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_2(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_2_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_2(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_2_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_2(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_2_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_2(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_2_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_2(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_2_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_2(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_2_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_2(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_2_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_2(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_2_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_2(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_2_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_2(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_2_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_2(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_2_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_2(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_2_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_2(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_2_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_2(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_2_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_2(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_2_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_2(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_2_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_2(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_2_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_2(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_2_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_2(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_2_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_2(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_3(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_3(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_3(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_3(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_3(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_3(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_3(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_3(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_3(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_3(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_3(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_3(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_3(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_3(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_3(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_3(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_3(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_3(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_3(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_3(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_3(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_3(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_3_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_3(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_3_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_3(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_3_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_3(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_3_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_3(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_3_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_3(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_3_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_3(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_3_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_3(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_3_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_3(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_3_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_3(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_3_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_3(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_3_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_3(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_3_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_3(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_3_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_3(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_3_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_3(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_3_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_3(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_3_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_3(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_3_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_3(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_3_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_3(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_3_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_3(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_3_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_3(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_4(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_4(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_4(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_4(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_4(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_4(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_4(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_4(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_4(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_4(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_4(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_4(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_4(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_4(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_4(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_4(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_4(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_4(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_4(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_4(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_4(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_4(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_4_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_4(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_4_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_4(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_4_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_4(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_4_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_4(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_4_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_4(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_4_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_4(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_4_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_4(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_4_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_4(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_4_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_4(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_4_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_4(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_4_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_4(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_4_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_4(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_4_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_4(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_4_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_4(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_4_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_4(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_4_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_4(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_4_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_4(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_4_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_4(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_4_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_4(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_4_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_4(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
       slice0cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice0shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice0shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice0shift_search_0_0(1 downto 1)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice0shift_search_0_0(3 downto 3)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice0shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice0shift_search_0_0(4 downto 4)) =
+        1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
-      slice0cost_pixels_first_0_0_count_8 <= as_number(slice0cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_3);
-      slice0cost_pixels_first_0_0_count_9 <= as_number(slice0cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_3);
-      slice0cost_pixels_first_0_0_count_10 <= as_number(slice0cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_3);
-      slice0cost_pixels_first_0_0_count_11 <= as_number(slice0cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_3);
-      slice0cost_pixels_first_0_0_count_12 <= as_number(slice0cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_3);
-      slice0cost_pixels_first_0_0_count_13 <= as_number(slice0cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_3);
-      slice0cost_pixels_first_0_0_count_14 <= as_number(slice0cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (to_integer(slice0shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice0shift_search_0_0(6 downto 6)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice0shift_search_0_0(9 downto 9)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice0shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice0shift_search_0_0(10 downto 10)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice0shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice0shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice0shift_search_0_0(13 downto
+        13)) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice0shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice0shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice0shift_search_0_0(16 downto
+        16)) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice0shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice0shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice0shift_search_0_0(19 downto
+        19)) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice0shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice0shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice0shift_search_0_0(22 downto
+        22)) = 1)));
+      slice0cost_pixels_first_0_0_count_8 <= as_number((slice0cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice0shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice0shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice0shift_search_0_0(25 downto
+        25)) = 1)));
+      slice0cost_pixels_first_0_0_count_9 <= as_number((slice0cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice0shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice0shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice0shift_search_0_0(28 downto
+        28)) = 1)));
+      slice0cost_pixels_first_0_0_count_10 <= as_number((slice0cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice0shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice0shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice0shift_search_0_0(31 downto
+        31)) = 1)));
+      slice0cost_pixels_first_0_0_count_11 <= as_number((slice0cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice0shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice0shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice0shift_search_0_0(34 downto
+        34)) = 1)));
+      slice0cost_pixels_first_0_0_count_12 <= as_number((slice0cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice0shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice0shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice0shift_search_0_0(37 downto
+        37)) = 1)));
+      slice0cost_pixels_first_0_0_count_13 <= as_number((slice0cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice0shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice0shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice0shift_search_0_0(40 downto
+        40)) = 1)));
+      slice0cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice0shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_14_value /= (to_integer(slice0shift_search_0_0(42 downto 42)) =
+        1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice0shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_1(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice0shift_search_0_1(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_1(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_1(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
-      slice0cost_pixels_first_0_1_count_8 <= as_number(slice0cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_3);
-      slice0cost_pixels_first_0_1_count_9 <= as_number(slice0cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_3);
-      slice0cost_pixels_first_0_1_count_10 <= as_number(slice0cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_3);
-      slice0cost_pixels_first_0_1_count_11 <= as_number(slice0cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_3);
-      slice0cost_pixels_first_0_1_count_12 <= as_number(slice0cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_3);
-      slice0cost_pixels_first_0_1_count_13 <= as_number(slice0cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_3);
-      slice0cost_pixels_first_0_1_count_14 <= as_number(slice0cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_1(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_1(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice0shift_search_0_1(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_1(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_1(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice0shift_search_0_1(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_1(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_1(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice0shift_search_0_1(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_1(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_1(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice0shift_search_0_1(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_1(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_1(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice0shift_search_0_1(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_1(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_1(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice0shift_search_0_1(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_1(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_1(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice0shift_search_0_1(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_1(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_1(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice0shift_search_0_1(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_1(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_1(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice0shift_search_0_1(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_1(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_1(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice0shift_search_0_1(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_1(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_1(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice0shift_search_0_1(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_1(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_1(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice0shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice0shift_search_0_2(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_2(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((to_integer(slice0shift_search_0_2(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_2(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_2(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
-      slice0cost_pixels_first_0_2_count_8 <= as_number(slice0cost_pixels_first_0_2_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_3);
-      slice0cost_pixels_first_0_2_count_9 <= as_number(slice0cost_pixels_first_0_2_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_3);
-      slice0cost_pixels_first_0_2_count_10 <= as_number(slice0cost_pixels_first_0_2_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_3);
-      slice0cost_pixels_first_0_2_count_11 <= as_number(slice0cost_pixels_first_0_2_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_3);
-      slice0cost_pixels_first_0_2_count_12 <= as_number(slice0cost_pixels_first_0_2_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_3);
-      slice0cost_pixels_first_0_2_count_13 <= as_number(slice0cost_pixels_first_0_2_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_3);
-      slice0cost_pixels_first_0_2_count_14 <= as_number(slice0cost_pixels_first_0_2_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_2(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_2(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((to_integer(slice0shift_search_0_2(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_2(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_2(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((to_integer(slice0shift_search_0_2(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_2(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_2(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((to_integer(slice0shift_search_0_2(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_2(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_2(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((to_integer(slice0shift_search_0_2(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_2(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_2(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((to_integer(slice0shift_search_0_2(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_2(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_2(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_2_count_8 <= as_number(((to_integer(slice0shift_search_0_2(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_2(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_2(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_2_count_9 <= as_number(((to_integer(slice0shift_search_0_2(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_2(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_2(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_2_count_10 <= as_number(((to_integer(slice0shift_search_0_2(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_2(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_2(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_2_count_11 <= as_number(((to_integer(slice0shift_search_0_2(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_2(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_2(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_2_count_12 <= as_number(((to_integer(slice0shift_search_0_2(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_2(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_2(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_2_count_13 <= as_number(((to_integer(slice0shift_search_0_2(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_2(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_2(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_2_count_14 <= as_number(((to_integer(slice0shift_search_0_2(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice0shift_search_0_3(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_3(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((to_integer(slice0shift_search_0_3(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_3(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_3(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
-      slice0cost_pixels_first_0_3_count_8 <= as_number(slice0cost_pixels_first_0_3_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_3);
-      slice0cost_pixels_first_0_3_count_9 <= as_number(slice0cost_pixels_first_0_3_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_3);
-      slice0cost_pixels_first_0_3_count_10 <= as_number(slice0cost_pixels_first_0_3_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_3);
-      slice0cost_pixels_first_0_3_count_11 <= as_number(slice0cost_pixels_first_0_3_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_3);
-      slice0cost_pixels_first_0_3_count_12 <= as_number(slice0cost_pixels_first_0_3_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_3);
-      slice0cost_pixels_first_0_3_count_13 <= as_number(slice0cost_pixels_first_0_3_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_3);
-      slice0cost_pixels_first_0_3_count_14 <= as_number(slice0cost_pixels_first_0_3_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_3(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_3(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((to_integer(slice0shift_search_0_3(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_3(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_3(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((to_integer(slice0shift_search_0_3(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_3(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_3(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((to_integer(slice0shift_search_0_3(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_3(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_3(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((to_integer(slice0shift_search_0_3(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_3(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_3(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((to_integer(slice0shift_search_0_3(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_3(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_3(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_3_count_8 <= as_number(((to_integer(slice0shift_search_0_3(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_3(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_3(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_3_count_9 <= as_number(((to_integer(slice0shift_search_0_3(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_3(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_3(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_3_count_10 <= as_number(((to_integer(slice0shift_search_0_3(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_3(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_3(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_3_count_11 <= as_number(((to_integer(slice0shift_search_0_3(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_3(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_3(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_3_count_12 <= as_number(((to_integer(slice0shift_search_0_3(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_3(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_3(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_3_count_13 <= as_number(((to_integer(slice0shift_search_0_3(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_3(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_3(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_3_count_14 <= as_number(((to_integer(slice0shift_search_0_3(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice0shift_search_0_4(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_4(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((to_integer(slice0shift_search_0_4(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_4(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_4(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
-      slice0cost_pixels_first_0_4_count_8 <= as_number(slice0cost_pixels_first_0_4_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_3);
-      slice0cost_pixels_first_0_4_count_9 <= as_number(slice0cost_pixels_first_0_4_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_3);
-      slice0cost_pixels_first_0_4_count_10 <= as_number(slice0cost_pixels_first_0_4_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_3);
-      slice0cost_pixels_first_0_4_count_11 <= as_number(slice0cost_pixels_first_0_4_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_3);
-      slice0cost_pixels_first_0_4_count_12 <= as_number(slice0cost_pixels_first_0_4_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_3);
-      slice0cost_pixels_first_0_4_count_13 <= as_number(slice0cost_pixels_first_0_4_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_3);
-      slice0cost_pixels_first_0_4_count_14 <= as_number(slice0cost_pixels_first_0_4_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_4(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_4(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((to_integer(slice0shift_search_0_4(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_4(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_4(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((to_integer(slice0shift_search_0_4(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_4(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_4(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((to_integer(slice0shift_search_0_4(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_4(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_4(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((to_integer(slice0shift_search_0_4(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_4(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_4(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((to_integer(slice0shift_search_0_4(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_4(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_4(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_4_count_8 <= as_number(((to_integer(slice0shift_search_0_4(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_4(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_4(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_4_count_9 <= as_number(((to_integer(slice0shift_search_0_4(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_4(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_4(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_4_count_10 <= as_number(((to_integer(slice0shift_search_0_4(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_4(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_4(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_4_count_11 <= as_number(((to_integer(slice0shift_search_0_4(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_4(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_4(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_4_count_12 <= as_number(((to_integer(slice0shift_search_0_4(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_4(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_4(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_4_count_13 <= as_number(((to_integer(slice0shift_search_0_4(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_4(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_4(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_4_count_14 <= as_number(((to_integer(slice0shift_search_0_4(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4921,13 +4271,25 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_border_column <= slice0cost_tag_border_column;
@@ -4982,727 +4344,364 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := to_integer(slice1shift_reference_0(2 downto 2)) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := to_integer(slice1shift_search_0_0(2 downto 2)) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := to_integer(slice1shift_reference_0(1 downto 1)) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := to_integer(slice1shift_search_0_0(1 downto 1)) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := to_integer(slice1shift_reference_0(1 downto 1)) = 1;
       slice1cost_pixels_first_0_0_count_1_value := to_integer(slice1shift_reference_0(3 downto 3)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := to_integer(slice1shift_search_0_0(3 downto 3)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := to_integer(slice1shift_reference_0(5 downto 5)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := to_integer(slice1shift_search_0_0(5 downto 5)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := to_integer(slice1shift_reference_0(4 downto 4)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := to_integer(slice1shift_search_0_0(4 downto 4)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := to_integer(slice1shift_reference_0(5 downto 5)) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := to_integer(slice1shift_reference_0(4 downto 4)) = 1;
       slice1cost_pixels_first_0_0_count_2_value := to_integer(slice1shift_reference_0(8 downto 8)) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := to_integer(slice1shift_search_0_0(8 downto 8)) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := to_integer(slice1shift_reference_0(6 downto 6)) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := to_integer(slice1shift_search_0_0(6 downto 6)) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := to_integer(slice1shift_reference_0(6 downto 6)) = 1;
       slice1cost_pixels_first_0_0_count_3_value := to_integer(slice1shift_reference_0(9 downto 9)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := to_integer(slice1shift_search_0_0(9 downto 9)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := to_integer(slice1shift_reference_0(11 downto 11)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := to_integer(slice1shift_search_0_0(11 downto 11)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := to_integer(slice1shift_reference_0(10 downto 10)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := to_integer(slice1shift_search_0_0(10 downto 10)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := to_integer(slice1shift_reference_0(11 downto 11)) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := to_integer(slice1shift_reference_0(10 downto 10)) = 1;
       slice1cost_pixels_first_0_0_count_4_value := to_integer(slice1shift_reference_0(12 downto 12)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := to_integer(slice1shift_search_0_0(12 downto 12)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := to_integer(slice1shift_reference_0(14 downto 14)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := to_integer(slice1shift_search_0_0(14 downto 14)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := to_integer(slice1shift_reference_0(13 downto 13)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := to_integer(slice1shift_search_0_0(13 downto 13)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := to_integer(slice1shift_reference_0(14 downto 14)) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := to_integer(slice1shift_reference_0(13 downto 13)) = 1;
       slice1cost_pixels_first_0_0_count_5_value := to_integer(slice1shift_reference_0(15 downto 15)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := to_integer(slice1shift_search_0_0(15 downto 15)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := to_integer(slice1shift_reference_0(17 downto 17)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := to_integer(slice1shift_search_0_0(17 downto 17)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := to_integer(slice1shift_reference_0(16 downto 16)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := to_integer(slice1shift_search_0_0(16 downto 16)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := to_integer(slice1shift_reference_0(17 downto 17)) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := to_integer(slice1shift_reference_0(16 downto 16)) = 1;
       slice1cost_pixels_first_0_0_count_6_value := to_integer(slice1shift_reference_0(18 downto 18)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := to_integer(slice1shift_search_0_0(18 downto 18)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := to_integer(slice1shift_reference_0(20 downto 20)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := to_integer(slice1shift_search_0_0(20 downto 20)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := to_integer(slice1shift_reference_0(19 downto 19)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := to_integer(slice1shift_search_0_0(19 downto 19)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := to_integer(slice1shift_reference_0(20 downto 20)) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := to_integer(slice1shift_reference_0(19 downto 19)) = 1;
       slice1cost_pixels_first_0_0_count_7_value := to_integer(slice1shift_reference_0(21 downto 21)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := to_integer(slice1shift_search_0_0(21 downto 21)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_value_3 := to_integer(slice1shift_reference_0(23 downto 23)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := to_integer(slice1shift_search_0_0(23 downto 23)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_0_count_7_value_5 := to_integer(slice1shift_reference_0(22 downto 22)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_6 := to_integer(slice1shift_search_0_0(22 downto 22)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_6 when
-        slice1cost_pixels_first_0_0_count_7_value_5 else slice1cost_pixels_first_0_0_count_7_value_6;
+      slice1cost_pixels_first_0_0_count_7_value_2 := to_integer(slice1shift_reference_0(23 downto 23)) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_3 := to_integer(slice1shift_reference_0(22 downto 22)) = 1;
       slice1cost_pixels_first_0_0_count_8_value := to_integer(slice1shift_reference_0(24 downto 24)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_2 := to_integer(slice1shift_search_0_0(24 downto 24)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value_2 when
-        slice1cost_pixels_first_0_0_count_8_value else slice1cost_pixels_first_0_0_count_8_value_2;
-      slice1cost_pixels_first_0_0_count_8_value_3 := to_integer(slice1shift_reference_0(26 downto 26)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_4 := to_integer(slice1shift_search_0_0(26 downto 26)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_4 when
-        slice1cost_pixels_first_0_0_count_8_value_3 else slice1cost_pixels_first_0_0_count_8_value_4;
-      slice1cost_pixels_first_0_0_count_8_value_5 := to_integer(slice1shift_reference_0(25 downto 25)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_6 := to_integer(slice1shift_search_0_0(25 downto 25)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_6 when
-        slice1cost_pixels_first_0_0_count_8_value_5 else slice1cost_pixels_first_0_0_count_8_value_6;
+      slice1cost_pixels_first_0_0_count_8_value_2 := to_integer(slice1shift_reference_0(26 downto 26)) = 1;
+      slice1cost_pixels_first_0_0_count_8_value_3 := to_integer(slice1shift_reference_0(25 downto 25)) = 1;
       slice1cost_pixels_first_0_0_count_9_value := to_integer(slice1shift_reference_0(27 downto 27)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_2 := to_integer(slice1shift_search_0_0(27 downto 27)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value_2 when
-        slice1cost_pixels_first_0_0_count_9_value else slice1cost_pixels_first_0_0_count_9_value_2;
-      slice1cost_pixels_first_0_0_count_9_value_3 := to_integer(slice1shift_reference_0(29 downto 29)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_4 := to_integer(slice1shift_search_0_0(29 downto 29)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_4 when
-        slice1cost_pixels_first_0_0_count_9_value_3 else slice1cost_pixels_first_0_0_count_9_value_4;
-      slice1cost_pixels_first_0_0_count_9_value_5 := to_integer(slice1shift_reference_0(28 downto 28)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_6 := to_integer(slice1shift_search_0_0(28 downto 28)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_6 when
-        slice1cost_pixels_first_0_0_count_9_value_5 else slice1cost_pixels_first_0_0_count_9_value_6;
+      slice1cost_pixels_first_0_0_count_9_value_2 := to_integer(slice1shift_reference_0(29 downto 29)) = 1;
+      slice1cost_pixels_first_0_0_count_9_value_3 := to_integer(slice1shift_reference_0(28 downto 28)) = 1;
       slice1cost_pixels_first_0_0_count_10_value := to_integer(slice1shift_reference_0(30 downto 30)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_2 := to_integer(slice1shift_search_0_0(30 downto 30)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value_2 when
-        slice1cost_pixels_first_0_0_count_10_value else slice1cost_pixels_first_0_0_count_10_value_2;
-      slice1cost_pixels_first_0_0_count_10_value_3 := to_integer(slice1shift_reference_0(32 downto 32)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_4 := to_integer(slice1shift_search_0_0(32 downto 32)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_4 when
-        slice1cost_pixels_first_0_0_count_10_value_3 else slice1cost_pixels_first_0_0_count_10_value_4;
-      slice1cost_pixels_first_0_0_count_10_value_5 := to_integer(slice1shift_reference_0(31 downto 31)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_6 := to_integer(slice1shift_search_0_0(31 downto 31)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_6 when
-        slice1cost_pixels_first_0_0_count_10_value_5 else slice1cost_pixels_first_0_0_count_10_value_6;
+      slice1cost_pixels_first_0_0_count_10_value_2 := to_integer(slice1shift_reference_0(32 downto 32)) = 1;
+      slice1cost_pixels_first_0_0_count_10_value_3 := to_integer(slice1shift_reference_0(31 downto 31)) = 1;
       slice1cost_pixels_first_0_0_count_11_value := to_integer(slice1shift_reference_0(33 downto 33)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_2 := to_integer(slice1shift_search_0_0(33 downto 33)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value_2 when
-        slice1cost_pixels_first_0_0_count_11_value else slice1cost_pixels_first_0_0_count_11_value_2;
-      slice1cost_pixels_first_0_0_count_11_value_3 := to_integer(slice1shift_reference_0(35 downto 35)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_4 := to_integer(slice1shift_search_0_0(35 downto 35)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_4 when
-        slice1cost_pixels_first_0_0_count_11_value_3 else slice1cost_pixels_first_0_0_count_11_value_4;
-      slice1cost_pixels_first_0_0_count_11_value_5 := to_integer(slice1shift_reference_0(34 downto 34)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_6 := to_integer(slice1shift_search_0_0(34 downto 34)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_6 when
-        slice1cost_pixels_first_0_0_count_11_value_5 else slice1cost_pixels_first_0_0_count_11_value_6;
+      slice1cost_pixels_first_0_0_count_11_value_2 := to_integer(slice1shift_reference_0(35 downto 35)) = 1;
+      slice1cost_pixels_first_0_0_count_11_value_3 := to_integer(slice1shift_reference_0(34 downto 34)) = 1;
       slice1cost_pixels_first_0_0_count_12_value := to_integer(slice1shift_reference_0(36 downto 36)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_2 := to_integer(slice1shift_search_0_0(36 downto 36)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value_2 when
-        slice1cost_pixels_first_0_0_count_12_value else slice1cost_pixels_first_0_0_count_12_value_2;
-      slice1cost_pixels_first_0_0_count_12_value_3 := to_integer(slice1shift_reference_0(38 downto 38)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_4 := to_integer(slice1shift_search_0_0(38 downto 38)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_4 when
-        slice1cost_pixels_first_0_0_count_12_value_3 else slice1cost_pixels_first_0_0_count_12_value_4;
-      slice1cost_pixels_first_0_0_count_12_value_5 := to_integer(slice1shift_reference_0(37 downto 37)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_6 := to_integer(slice1shift_search_0_0(37 downto 37)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_6 when
-        slice1cost_pixels_first_0_0_count_12_value_5 else slice1cost_pixels_first_0_0_count_12_value_6;
+      slice1cost_pixels_first_0_0_count_12_value_2 := to_integer(slice1shift_reference_0(38 downto 38)) = 1;
+      slice1cost_pixels_first_0_0_count_12_value_3 := to_integer(slice1shift_reference_0(37 downto 37)) = 1;
       slice1cost_pixels_first_0_0_count_13_value := to_integer(slice1shift_reference_0(39 downto 39)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_2 := to_integer(slice1shift_search_0_0(39 downto 39)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value_2 when
-        slice1cost_pixels_first_0_0_count_13_value else slice1cost_pixels_first_0_0_count_13_value_2;
-      slice1cost_pixels_first_0_0_count_13_value_3 := to_integer(slice1shift_reference_0(41 downto 41)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_4 := to_integer(slice1shift_search_0_0(41 downto 41)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_4 when
-        slice1cost_pixels_first_0_0_count_13_value_3 else slice1cost_pixels_first_0_0_count_13_value_4;
-      slice1cost_pixels_first_0_0_count_13_value_5 := to_integer(slice1shift_reference_0(40 downto 40)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_6 := to_integer(slice1shift_search_0_0(40 downto 40)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_6 when
-        slice1cost_pixels_first_0_0_count_13_value_5 else slice1cost_pixels_first_0_0_count_13_value_6;
-      slice1cost_pixels_first_0_0_count_14_choice := not (to_integer(slice1shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_reference_0(43 downto 43)) = 1 else to_integer(slice1shift_search_0_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_2 := to_integer(slice1shift_reference_0(41 downto 41)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_3 := to_integer(slice1shift_reference_0(40 downto 40)) = 1;
       slice1cost_pixels_first_0_0_count_14_value := to_integer(slice1shift_reference_0(42 downto 42)) = 1;
-      slice1cost_pixels_first_0_0_count_14_value_2 := to_integer(slice1shift_search_0_0(42 downto 42)) = 1;
-      slice1cost_pixels_first_0_0_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value_2 when
-        slice1cost_pixels_first_0_0_count_14_value else slice1cost_pixels_first_0_0_count_14_value_2;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_1(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_1(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_1(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_1(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_1(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_1(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_1(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_1(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_1(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_1(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_1(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_1(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_1(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_1(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_1(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_1(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_1(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_1(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_1(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_1(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_1(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_1(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_1_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_1(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_1_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_1(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_1_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_1(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_1_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_1(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_1_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_1(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_1_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_1(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_1_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_1(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_1_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_1(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_1_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_1(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_1_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_1(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_1_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_1(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_1_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_1(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_1_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_1(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_1_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_1(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_1_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_1(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_1_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_1(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_1_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_1(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_1_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_1(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_1_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_1(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_1_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_1(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_2(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_2(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_2(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_2(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_2(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_2(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_2(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_2(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_2(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_2(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_2(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_2(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_2(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_2(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_2(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_2(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_2(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_2(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_2(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_2(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_2(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_2(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_2_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_2(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_2_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_2(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_2_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_2(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_2_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_2(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_2_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_2(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_2_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_2(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_2_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_2(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_2_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_2(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_2_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_2(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_2_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_2(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_2_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_2(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_2_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_2(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_2_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_2(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_2_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_2(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_2_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_2(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_2_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_2(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_2_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_2(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_2_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_2(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_2_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_2(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_2_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_2(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_3(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_3(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_3(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_3(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_3(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_3(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_3(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_3(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_3(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_3(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_3(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_3(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_3(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_3(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_3(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_3(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_3(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_3(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_3(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_3(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_3(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_3(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_3_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_3(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_3_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_3(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_3_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_3(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_3_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_3(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_3_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_3(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_3_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_3(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_3_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_3(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_3_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_3(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_3_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_3(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_3_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_3(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_3_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_3(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_3_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_3(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_3_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_3(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_3_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_3(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_3_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_3(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_3_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_3(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_3_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_3(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_3_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_3(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_3_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_3(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_3_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_3(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_4(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_4(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_4(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_4(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_4(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_4(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_4(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_4(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_4(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_4(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_4(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_4(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_4(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_4(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_4(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_4(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_4(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_4(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_4(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_4(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_4(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_4(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_4_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_4(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_4_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_4(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_4_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_4(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_4_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_4(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_4_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_4(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_4_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_4(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_4_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_4(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_4_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_4(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_4_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_4(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_4_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_4(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_4_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_4(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_4_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_4(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_4_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_4(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_4_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_4(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_4_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_4(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_4_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_4(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_4_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_4(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_4_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_4(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_4_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_4(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_4_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_4(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
       slice1cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice1shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice1shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice1shift_search_0_0(1 downto 1)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice1shift_search_0_0(3 downto 3)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice1shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice1shift_search_0_0(4 downto 4)) =
+        1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
-      slice1cost_pixels_first_0_0_count_8 <= as_number(slice1cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_8_choice_3);
-      slice1cost_pixels_first_0_0_count_9 <= as_number(slice1cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_9_choice_3);
-      slice1cost_pixels_first_0_0_count_10 <= as_number(slice1cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_10_choice_3);
-      slice1cost_pixels_first_0_0_count_11 <= as_number(slice1cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_11_choice_3);
-      slice1cost_pixels_first_0_0_count_12 <= as_number(slice1cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_12_choice_3);
-      slice1cost_pixels_first_0_0_count_13 <= as_number(slice1cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_13_choice_3);
-      slice1cost_pixels_first_0_0_count_14 <= as_number(slice1cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (to_integer(slice1shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice1shift_search_0_0(6 downto 6)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice1shift_search_0_0(9 downto 9)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice1shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice1shift_search_0_0(10 downto 10)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice1shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice1shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice1shift_search_0_0(13 downto
+        13)) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice1shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice1shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice1shift_search_0_0(16 downto
+        16)) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice1shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice1shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice1shift_search_0_0(19 downto
+        19)) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice1shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice1shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice1shift_search_0_0(22 downto
+        22)) = 1)));
+      slice1cost_pixels_first_0_0_count_8 <= as_number((slice1cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice1shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice1shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice1shift_search_0_0(25 downto
+        25)) = 1)));
+      slice1cost_pixels_first_0_0_count_9 <= as_number((slice1cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice1shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice1shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice1shift_search_0_0(28 downto
+        28)) = 1)));
+      slice1cost_pixels_first_0_0_count_10 <= as_number((slice1cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice1shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice1shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice1shift_search_0_0(31 downto
+        31)) = 1)));
+      slice1cost_pixels_first_0_0_count_11 <= as_number((slice1cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice1shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice1shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice1shift_search_0_0(34 downto
+        34)) = 1)));
+      slice1cost_pixels_first_0_0_count_12 <= as_number((slice1cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice1shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice1shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice1shift_search_0_0(37 downto
+        37)) = 1)));
+      slice1cost_pixels_first_0_0_count_13 <= as_number((slice1cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice1shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice1shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice1shift_search_0_0(40 downto
+        40)) = 1)));
+      slice1cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice1shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_14_value /= (to_integer(slice1shift_search_0_0(42 downto 42)) =
+        1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice1shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_1(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_1(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice1shift_search_0_1(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_1(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_1(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
-      slice1cost_pixels_first_0_1_count_8 <= as_number(slice1cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_8_choice_3);
-      slice1cost_pixels_first_0_1_count_9 <= as_number(slice1cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_9_choice_3);
-      slice1cost_pixels_first_0_1_count_10 <= as_number(slice1cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_10_choice_3);
-      slice1cost_pixels_first_0_1_count_11 <= as_number(slice1cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_11_choice_3);
-      slice1cost_pixels_first_0_1_count_12 <= as_number(slice1cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_12_choice_3);
-      slice1cost_pixels_first_0_1_count_13 <= as_number(slice1cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_13_choice_3);
-      slice1cost_pixels_first_0_1_count_14 <= as_number(slice1cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_1(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_1(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice1shift_search_0_1(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_1(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_1(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice1shift_search_0_1(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_1(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_1(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice1shift_search_0_1(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_1(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_1(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice1shift_search_0_1(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_1(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_1(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice1shift_search_0_1(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_1(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_1(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice1shift_search_0_1(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_1(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_1(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice1shift_search_0_1(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_1(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_1(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice1shift_search_0_1(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_1(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_1(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice1shift_search_0_1(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_1(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_1(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice1shift_search_0_1(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_1(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_1(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice1shift_search_0_1(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_1(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_1(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice1shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_1(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice1shift_search_0_2(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_2(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_2(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((to_integer(slice1shift_search_0_2(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_2(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_2(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
-      slice1cost_pixels_first_0_2_count_8 <= as_number(slice1cost_pixels_first_0_2_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_8_choice_3);
-      slice1cost_pixels_first_0_2_count_9 <= as_number(slice1cost_pixels_first_0_2_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_9_choice_3);
-      slice1cost_pixels_first_0_2_count_10 <= as_number(slice1cost_pixels_first_0_2_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_10_choice_3);
-      slice1cost_pixels_first_0_2_count_11 <= as_number(slice1cost_pixels_first_0_2_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_11_choice_3);
-      slice1cost_pixels_first_0_2_count_12 <= as_number(slice1cost_pixels_first_0_2_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_12_choice_3);
-      slice1cost_pixels_first_0_2_count_13 <= as_number(slice1cost_pixels_first_0_2_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_13_choice_3);
-      slice1cost_pixels_first_0_2_count_14 <= as_number(slice1cost_pixels_first_0_2_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_2(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_2(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((to_integer(slice1shift_search_0_2(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_2(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_2(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((to_integer(slice1shift_search_0_2(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_2(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_2(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((to_integer(slice1shift_search_0_2(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_2(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_2(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((to_integer(slice1shift_search_0_2(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_2(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_2(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((to_integer(slice1shift_search_0_2(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_2(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_2(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_2_count_8 <= as_number(((to_integer(slice1shift_search_0_2(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_2(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_2(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_2_count_9 <= as_number(((to_integer(slice1shift_search_0_2(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_2(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_2(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_2_count_10 <= as_number(((to_integer(slice1shift_search_0_2(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_2(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_2(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_2_count_11 <= as_number(((to_integer(slice1shift_search_0_2(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_2(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_2(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_2_count_12 <= as_number(((to_integer(slice1shift_search_0_2(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_2(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_2(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_2_count_13 <= as_number(((to_integer(slice1shift_search_0_2(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_2(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_2(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_2_count_14 <= as_number(((to_integer(slice1shift_search_0_2(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_2(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice1shift_search_0_3(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_3(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_3(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((to_integer(slice1shift_search_0_3(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_3(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_3(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
-      slice1cost_pixels_first_0_3_count_8 <= as_number(slice1cost_pixels_first_0_3_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_8_choice_3);
-      slice1cost_pixels_first_0_3_count_9 <= as_number(slice1cost_pixels_first_0_3_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_9_choice_3);
-      slice1cost_pixels_first_0_3_count_10 <= as_number(slice1cost_pixels_first_0_3_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_10_choice_3);
-      slice1cost_pixels_first_0_3_count_11 <= as_number(slice1cost_pixels_first_0_3_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_11_choice_3);
-      slice1cost_pixels_first_0_3_count_12 <= as_number(slice1cost_pixels_first_0_3_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_12_choice_3);
-      slice1cost_pixels_first_0_3_count_13 <= as_number(slice1cost_pixels_first_0_3_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_13_choice_3);
-      slice1cost_pixels_first_0_3_count_14 <= as_number(slice1cost_pixels_first_0_3_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_3(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_3(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((to_integer(slice1shift_search_0_3(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_3(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_3(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((to_integer(slice1shift_search_0_3(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_3(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_3(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((to_integer(slice1shift_search_0_3(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_3(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_3(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((to_integer(slice1shift_search_0_3(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_3(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_3(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((to_integer(slice1shift_search_0_3(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_3(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_3(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_3_count_8 <= as_number(((to_integer(slice1shift_search_0_3(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_3(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_3(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_3_count_9 <= as_number(((to_integer(slice1shift_search_0_3(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_3(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_3(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_3_count_10 <= as_number(((to_integer(slice1shift_search_0_3(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_3(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_3(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_3_count_11 <= as_number(((to_integer(slice1shift_search_0_3(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_3(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_3(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_3_count_12 <= as_number(((to_integer(slice1shift_search_0_3(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_3(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_3(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_3_count_13 <= as_number(((to_integer(slice1shift_search_0_3(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_3(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_3(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_3_count_14 <= as_number(((to_integer(slice1shift_search_0_3(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_3(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice1shift_search_0_4(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_4(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_4(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((to_integer(slice1shift_search_0_4(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_4(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_4(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
-      slice1cost_pixels_first_0_4_count_8 <= as_number(slice1cost_pixels_first_0_4_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_8_choice_3);
-      slice1cost_pixels_first_0_4_count_9 <= as_number(slice1cost_pixels_first_0_4_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_9_choice_3);
-      slice1cost_pixels_first_0_4_count_10 <= as_number(slice1cost_pixels_first_0_4_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_10_choice_3);
-      slice1cost_pixels_first_0_4_count_11 <= as_number(slice1cost_pixels_first_0_4_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_11_choice_3);
-      slice1cost_pixels_first_0_4_count_12 <= as_number(slice1cost_pixels_first_0_4_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_12_choice_3);
-      slice1cost_pixels_first_0_4_count_13 <= as_number(slice1cost_pixels_first_0_4_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_13_choice_3);
-      slice1cost_pixels_first_0_4_count_14 <= as_number(slice1cost_pixels_first_0_4_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_4(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_4(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((to_integer(slice1shift_search_0_4(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_4(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_4(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((to_integer(slice1shift_search_0_4(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_4(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_4(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((to_integer(slice1shift_search_0_4(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_4(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_4(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((to_integer(slice1shift_search_0_4(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_4(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_4(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((to_integer(slice1shift_search_0_4(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_4(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_4(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_4_count_8 <= as_number(((to_integer(slice1shift_search_0_4(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_4(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_4(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_4_count_9 <= as_number(((to_integer(slice1shift_search_0_4(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_4(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_4(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_4_count_10 <= as_number(((to_integer(slice1shift_search_0_4(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_4(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_4(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_4_count_11 <= as_number(((to_integer(slice1shift_search_0_4(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_4(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_4(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_4_count_12 <= as_number(((to_integer(slice1shift_search_0_4(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_4(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_4(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_4_count_13 <= as_number(((to_integer(slice1shift_search_0_4(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_4(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_4(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_4_count_14 <= as_number(((to_integer(slice1shift_search_0_4(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_4(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_7 +
         slice1cost_pixels_first_0_0_count_12 + slice1cost_pixels_first_0_0_count_6 +
         slice1cost_pixels_first_0_0_count_9 + slice1cost_pixels_first_0_0_count_14 +
@@ -5738,6 +4737,11 @@ begin
         slice1cost_pixels_first_0_4_count_10 + slice1cost_pixels_first_0_4_count_4 +
         slice1cost_pixels_first_0_4_count_8 + slice1cost_pixels_first_0_4_count_1 + slice1cost_pixels_first_0_4_count_5
         + slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_13;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
       -- slice1
       slice1_held_0_0 <= other_8 / 4;
       slice1_held_0_1 <= other_7 / 4;
@@ -5757,343 +4761,181 @@ begin
       slice2shift_reference_0 <= slice1shift_reference_0;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := to_integer(slice2shift_reference_0(2 downto 2)) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := to_integer(slice2shift_search_0_0(2 downto 2)) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := to_integer(slice2shift_reference_0(1 downto 1)) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := to_integer(slice2shift_search_0_0(1 downto 1)) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := to_integer(slice2shift_reference_0(1 downto 1)) = 1;
       slice2cost_pixels_first_0_0_count_1_value := to_integer(slice2shift_reference_0(3 downto 3)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := to_integer(slice2shift_search_0_0(3 downto 3)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := to_integer(slice2shift_reference_0(5 downto 5)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := to_integer(slice2shift_search_0_0(5 downto 5)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := to_integer(slice2shift_reference_0(4 downto 4)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := to_integer(slice2shift_search_0_0(4 downto 4)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := to_integer(slice2shift_reference_0(5 downto 5)) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := to_integer(slice2shift_reference_0(4 downto 4)) = 1;
       slice2cost_pixels_first_0_0_count_2_value := to_integer(slice2shift_reference_0(8 downto 8)) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := to_integer(slice2shift_search_0_0(8 downto 8)) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := to_integer(slice2shift_reference_0(6 downto 6)) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := to_integer(slice2shift_search_0_0(6 downto 6)) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := to_integer(slice2shift_reference_0(6 downto 6)) = 1;
       slice2cost_pixels_first_0_0_count_3_value := to_integer(slice2shift_reference_0(9 downto 9)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := to_integer(slice2shift_search_0_0(9 downto 9)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := to_integer(slice2shift_reference_0(11 downto 11)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := to_integer(slice2shift_search_0_0(11 downto 11)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := to_integer(slice2shift_reference_0(10 downto 10)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := to_integer(slice2shift_search_0_0(10 downto 10)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := to_integer(slice2shift_reference_0(11 downto 11)) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := to_integer(slice2shift_reference_0(10 downto 10)) = 1;
       slice2cost_pixels_first_0_0_count_4_value := to_integer(slice2shift_reference_0(12 downto 12)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := to_integer(slice2shift_search_0_0(12 downto 12)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := to_integer(slice2shift_reference_0(14 downto 14)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := to_integer(slice2shift_search_0_0(14 downto 14)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := to_integer(slice2shift_reference_0(13 downto 13)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := to_integer(slice2shift_search_0_0(13 downto 13)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := to_integer(slice2shift_reference_0(14 downto 14)) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := to_integer(slice2shift_reference_0(13 downto 13)) = 1;
       slice2cost_pixels_first_0_0_count_5_value := to_integer(slice2shift_reference_0(15 downto 15)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := to_integer(slice2shift_search_0_0(15 downto 15)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := to_integer(slice2shift_reference_0(17 downto 17)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := to_integer(slice2shift_search_0_0(17 downto 17)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := to_integer(slice2shift_reference_0(16 downto 16)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := to_integer(slice2shift_search_0_0(16 downto 16)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := to_integer(slice2shift_reference_0(17 downto 17)) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := to_integer(slice2shift_reference_0(16 downto 16)) = 1;
       slice2cost_pixels_first_0_0_count_6_value := to_integer(slice2shift_reference_0(18 downto 18)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := to_integer(slice2shift_search_0_0(18 downto 18)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := to_integer(slice2shift_reference_0(20 downto 20)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := to_integer(slice2shift_search_0_0(20 downto 20)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := to_integer(slice2shift_reference_0(19 downto 19)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := to_integer(slice2shift_search_0_0(19 downto 19)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := to_integer(slice2shift_reference_0(20 downto 20)) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := to_integer(slice2shift_reference_0(19 downto 19)) = 1;
       slice2cost_pixels_first_0_0_count_7_value := to_integer(slice2shift_reference_0(21 downto 21)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := to_integer(slice2shift_search_0_0(21 downto 21)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_value_3 := to_integer(slice2shift_reference_0(23 downto 23)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := to_integer(slice2shift_search_0_0(23 downto 23)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_0_count_7_value_5 := to_integer(slice2shift_reference_0(22 downto 22)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_6 := to_integer(slice2shift_search_0_0(22 downto 22)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_6 when
-        slice2cost_pixels_first_0_0_count_7_value_5 else slice2cost_pixels_first_0_0_count_7_value_6;
+      slice2cost_pixels_first_0_0_count_7_value_2 := to_integer(slice2shift_reference_0(23 downto 23)) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_3 := to_integer(slice2shift_reference_0(22 downto 22)) = 1;
       slice2cost_pixels_first_0_0_count_8_value := to_integer(slice2shift_reference_0(24 downto 24)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_2 := to_integer(slice2shift_search_0_0(24 downto 24)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value_2 when
-        slice2cost_pixels_first_0_0_count_8_value else slice2cost_pixels_first_0_0_count_8_value_2;
-      slice2cost_pixels_first_0_0_count_8_value_3 := to_integer(slice2shift_reference_0(26 downto 26)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_4 := to_integer(slice2shift_search_0_0(26 downto 26)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_4 when
-        slice2cost_pixels_first_0_0_count_8_value_3 else slice2cost_pixels_first_0_0_count_8_value_4;
-      slice2cost_pixels_first_0_0_count_8_value_5 := to_integer(slice2shift_reference_0(25 downto 25)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_6 := to_integer(slice2shift_search_0_0(25 downto 25)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_6 when
-        slice2cost_pixels_first_0_0_count_8_value_5 else slice2cost_pixels_first_0_0_count_8_value_6;
+      slice2cost_pixels_first_0_0_count_8_value_2 := to_integer(slice2shift_reference_0(26 downto 26)) = 1;
+      slice2cost_pixels_first_0_0_count_8_value_3 := to_integer(slice2shift_reference_0(25 downto 25)) = 1;
       slice2cost_pixels_first_0_0_count_9_value := to_integer(slice2shift_reference_0(27 downto 27)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_2 := to_integer(slice2shift_search_0_0(27 downto 27)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value_2 when
-        slice2cost_pixels_first_0_0_count_9_value else slice2cost_pixels_first_0_0_count_9_value_2;
-      slice2cost_pixels_first_0_0_count_9_value_3 := to_integer(slice2shift_reference_0(29 downto 29)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_4 := to_integer(slice2shift_search_0_0(29 downto 29)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_4 when
-        slice2cost_pixels_first_0_0_count_9_value_3 else slice2cost_pixels_first_0_0_count_9_value_4;
-      slice2cost_pixels_first_0_0_count_9_value_5 := to_integer(slice2shift_reference_0(28 downto 28)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_6 := to_integer(slice2shift_search_0_0(28 downto 28)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_6 when
-        slice2cost_pixels_first_0_0_count_9_value_5 else slice2cost_pixels_first_0_0_count_9_value_6;
+      slice2cost_pixels_first_0_0_count_9_value_2 := to_integer(slice2shift_reference_0(29 downto 29)) = 1;
+      slice2cost_pixels_first_0_0_count_9_value_3 := to_integer(slice2shift_reference_0(28 downto 28)) = 1;
       slice2cost_pixels_first_0_0_count_10_value := to_integer(slice2shift_reference_0(30 downto 30)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_2 := to_integer(slice2shift_search_0_0(30 downto 30)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value_2 when
-        slice2cost_pixels_first_0_0_count_10_value else slice2cost_pixels_first_0_0_count_10_value_2;
-      slice2cost_pixels_first_0_0_count_10_value_3 := to_integer(slice2shift_reference_0(32 downto 32)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_4 := to_integer(slice2shift_search_0_0(32 downto 32)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_4 when
-        slice2cost_pixels_first_0_0_count_10_value_3 else slice2cost_pixels_first_0_0_count_10_value_4;
-      slice2cost_pixels_first_0_0_count_10_value_5 := to_integer(slice2shift_reference_0(31 downto 31)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_6 := to_integer(slice2shift_search_0_0(31 downto 31)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_6 when
-        slice2cost_pixels_first_0_0_count_10_value_5 else slice2cost_pixels_first_0_0_count_10_value_6;
+      slice2cost_pixels_first_0_0_count_10_value_2 := to_integer(slice2shift_reference_0(32 downto 32)) = 1;
+      slice2cost_pixels_first_0_0_count_10_value_3 := to_integer(slice2shift_reference_0(31 downto 31)) = 1;
       slice2cost_pixels_first_0_0_count_11_value := to_integer(slice2shift_reference_0(33 downto 33)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_2 := to_integer(slice2shift_search_0_0(33 downto 33)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value_2 when
-        slice2cost_pixels_first_0_0_count_11_value else slice2cost_pixels_first_0_0_count_11_value_2;
-      slice2cost_pixels_first_0_0_count_11_value_3 := to_integer(slice2shift_reference_0(35 downto 35)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_4 := to_integer(slice2shift_search_0_0(35 downto 35)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_4 when
-        slice2cost_pixels_first_0_0_count_11_value_3 else slice2cost_pixels_first_0_0_count_11_value_4;
-      slice2cost_pixels_first_0_0_count_11_value_5 := to_integer(slice2shift_reference_0(34 downto 34)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_6 := to_integer(slice2shift_search_0_0(34 downto 34)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_6 when
-        slice2cost_pixels_first_0_0_count_11_value_5 else slice2cost_pixels_first_0_0_count_11_value_6;
+      slice2cost_pixels_first_0_0_count_11_value_2 := to_integer(slice2shift_reference_0(35 downto 35)) = 1;
+      slice2cost_pixels_first_0_0_count_11_value_3 := to_integer(slice2shift_reference_0(34 downto 34)) = 1;
       slice2cost_pixels_first_0_0_count_12_value := to_integer(slice2shift_reference_0(36 downto 36)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_2 := to_integer(slice2shift_search_0_0(36 downto 36)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value_2 when
-        slice2cost_pixels_first_0_0_count_12_value else slice2cost_pixels_first_0_0_count_12_value_2;
-      slice2cost_pixels_first_0_0_count_12_value_3 := to_integer(slice2shift_reference_0(38 downto 38)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_4 := to_integer(slice2shift_search_0_0(38 downto 38)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_4 when
-        slice2cost_pixels_first_0_0_count_12_value_3 else slice2cost_pixels_first_0_0_count_12_value_4;
-      slice2cost_pixels_first_0_0_count_12_value_5 := to_integer(slice2shift_reference_0(37 downto 37)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_6 := to_integer(slice2shift_search_0_0(37 downto 37)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_6 when
-        slice2cost_pixels_first_0_0_count_12_value_5 else slice2cost_pixels_first_0_0_count_12_value_6;
+      slice2cost_pixels_first_0_0_count_12_value_2 := to_integer(slice2shift_reference_0(38 downto 38)) = 1;
+      slice2cost_pixels_first_0_0_count_12_value_3 := to_integer(slice2shift_reference_0(37 downto 37)) = 1;
       slice2cost_pixels_first_0_0_count_13_value := to_integer(slice2shift_reference_0(39 downto 39)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_2 := to_integer(slice2shift_search_0_0(39 downto 39)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value_2 when
-        slice2cost_pixels_first_0_0_count_13_value else slice2cost_pixels_first_0_0_count_13_value_2;
-      slice2cost_pixels_first_0_0_count_13_value_3 := to_integer(slice2shift_reference_0(41 downto 41)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_4 := to_integer(slice2shift_search_0_0(41 downto 41)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_4 when
-        slice2cost_pixels_first_0_0_count_13_value_3 else slice2cost_pixels_first_0_0_count_13_value_4;
-      slice2cost_pixels_first_0_0_count_13_value_5 := to_integer(slice2shift_reference_0(40 downto 40)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_6 := to_integer(slice2shift_search_0_0(40 downto 40)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_6 when
-        slice2cost_pixels_first_0_0_count_13_value_5 else slice2cost_pixels_first_0_0_count_13_value_6;
-      slice2cost_pixels_first_0_0_count_14_choice := not (to_integer(slice2shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice2shift_reference_0(43 downto 43)) = 1 else to_integer(slice2shift_search_0_0(43 downto 43)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_2 := to_integer(slice2shift_reference_0(41 downto 41)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_3 := to_integer(slice2shift_reference_0(40 downto 40)) = 1;
       slice2cost_pixels_first_0_0_count_14_value := to_integer(slice2shift_reference_0(42 downto 42)) = 1;
-      slice2cost_pixels_first_0_0_count_14_value_2 := to_integer(slice2shift_search_0_0(42 downto 42)) = 1;
-      slice2cost_pixels_first_0_0_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value_2 when
-        slice2cost_pixels_first_0_0_count_14_value else slice2cost_pixels_first_0_0_count_14_value_2;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        to_integer(slice2shift_search_0_1(2 downto 2)) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice2shift_search_0_1(1 downto 1)) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        to_integer(slice2shift_search_0_1(3 downto 3)) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice2shift_search_0_1(5 downto 5)) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice2shift_search_0_1(4 downto 4)) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        to_integer(slice2shift_search_0_1(8 downto 8)) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice2shift_search_0_1(6 downto 6)) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        to_integer(slice2shift_search_0_1(9 downto 9)) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice2shift_search_0_1(11 downto 11)) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice2shift_search_0_1(10 downto 10)) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        to_integer(slice2shift_search_0_1(12 downto 12)) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice2shift_search_0_1(14 downto 14)) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice2shift_search_0_1(13 downto 13)) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        to_integer(slice2shift_search_0_1(15 downto 15)) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice2shift_search_0_1(17 downto 17)) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice2shift_search_0_1(16 downto 16)) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        to_integer(slice2shift_search_0_1(18 downto 18)) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice2shift_search_0_1(20 downto 20)) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice2shift_search_0_1(19 downto 19)) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        to_integer(slice2shift_search_0_1(21 downto 21)) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice2shift_search_0_1(23 downto 23)) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice2shift_search_0_1(22 downto 22)) = 1 else slice2cost_pixels_first_0_0_count_7_value_5;
-      slice2cost_pixels_first_0_1_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value when
-        to_integer(slice2shift_search_0_1(24 downto 24)) = 1 else slice2cost_pixels_first_0_0_count_8_value;
-      slice2cost_pixels_first_0_1_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice2shift_search_0_1(26 downto 26)) = 1 else slice2cost_pixels_first_0_0_count_8_value_3;
-      slice2cost_pixels_first_0_1_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice2shift_search_0_1(25 downto 25)) = 1 else slice2cost_pixels_first_0_0_count_8_value_5;
-      slice2cost_pixels_first_0_1_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value when
-        to_integer(slice2shift_search_0_1(27 downto 27)) = 1 else slice2cost_pixels_first_0_0_count_9_value;
-      slice2cost_pixels_first_0_1_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice2shift_search_0_1(29 downto 29)) = 1 else slice2cost_pixels_first_0_0_count_9_value_3;
-      slice2cost_pixels_first_0_1_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice2shift_search_0_1(28 downto 28)) = 1 else slice2cost_pixels_first_0_0_count_9_value_5;
-      slice2cost_pixels_first_0_1_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value when
-        to_integer(slice2shift_search_0_1(30 downto 30)) = 1 else slice2cost_pixels_first_0_0_count_10_value;
-      slice2cost_pixels_first_0_1_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice2shift_search_0_1(32 downto 32)) = 1 else slice2cost_pixels_first_0_0_count_10_value_3;
-      slice2cost_pixels_first_0_1_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice2shift_search_0_1(31 downto 31)) = 1 else slice2cost_pixels_first_0_0_count_10_value_5;
-      slice2cost_pixels_first_0_1_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value when
-        to_integer(slice2shift_search_0_1(33 downto 33)) = 1 else slice2cost_pixels_first_0_0_count_11_value;
-      slice2cost_pixels_first_0_1_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice2shift_search_0_1(35 downto 35)) = 1 else slice2cost_pixels_first_0_0_count_11_value_3;
-      slice2cost_pixels_first_0_1_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice2shift_search_0_1(34 downto 34)) = 1 else slice2cost_pixels_first_0_0_count_11_value_5;
-      slice2cost_pixels_first_0_1_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value when
-        to_integer(slice2shift_search_0_1(36 downto 36)) = 1 else slice2cost_pixels_first_0_0_count_12_value;
-      slice2cost_pixels_first_0_1_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice2shift_search_0_1(38 downto 38)) = 1 else slice2cost_pixels_first_0_0_count_12_value_3;
-      slice2cost_pixels_first_0_1_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice2shift_search_0_1(37 downto 37)) = 1 else slice2cost_pixels_first_0_0_count_12_value_5;
-      slice2cost_pixels_first_0_1_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value when
-        to_integer(slice2shift_search_0_1(39 downto 39)) = 1 else slice2cost_pixels_first_0_0_count_13_value;
-      slice2cost_pixels_first_0_1_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice2shift_search_0_1(41 downto 41)) = 1 else slice2cost_pixels_first_0_0_count_13_value_3;
-      slice2cost_pixels_first_0_1_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice2shift_search_0_1(40 downto 40)) = 1 else slice2cost_pixels_first_0_0_count_13_value_5;
-      slice2cost_pixels_first_0_1_count_14_choice := not (to_integer(slice2shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice2shift_search_0_1(43 downto 43)) = 1 else to_integer(slice2shift_reference_0(43 downto 43)) = 1;
-      slice2cost_pixels_first_0_1_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value when
-        to_integer(slice2shift_search_0_1(42 downto 42)) = 1 else slice2cost_pixels_first_0_0_count_14_value;
       slice2cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice2shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice2shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice2shift_search_0_0(1 downto 1)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice2shift_search_0_0(3 downto 3)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice2shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice2shift_search_0_0(4 downto 4)) =
+        1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
-      slice2cost_pixels_first_0_0_count_8 <= as_number(slice2cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_8_choice_3);
-      slice2cost_pixels_first_0_0_count_9 <= as_number(slice2cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_9_choice_3);
-      slice2cost_pixels_first_0_0_count_10 <= as_number(slice2cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_10_choice_3);
-      slice2cost_pixels_first_0_0_count_11 <= as_number(slice2cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_11_choice_3);
-      slice2cost_pixels_first_0_0_count_12 <= as_number(slice2cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_12_choice_3);
-      slice2cost_pixels_first_0_0_count_13 <= as_number(slice2cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_13_choice_3);
-      slice2cost_pixels_first_0_0_count_14 <= as_number(slice2cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (to_integer(slice2shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice2shift_search_0_0(6 downto 6)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice2shift_search_0_0(9 downto 9)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice2shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice2shift_search_0_0(10 downto 10)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice2shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice2shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice2shift_search_0_0(13 downto
+        13)) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice2shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice2shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice2shift_search_0_0(16 downto
+        16)) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice2shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice2shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice2shift_search_0_0(19 downto
+        19)) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice2shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice2shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice2shift_search_0_0(22 downto
+        22)) = 1)));
+      slice2cost_pixels_first_0_0_count_8 <= as_number((slice2cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice2shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice2shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice2shift_search_0_0(25 downto
+        25)) = 1)));
+      slice2cost_pixels_first_0_0_count_9 <= as_number((slice2cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice2shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice2shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice2shift_search_0_0(28 downto
+        28)) = 1)));
+      slice2cost_pixels_first_0_0_count_10 <= as_number((slice2cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice2shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice2shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice2shift_search_0_0(31 downto
+        31)) = 1)));
+      slice2cost_pixels_first_0_0_count_11 <= as_number((slice2cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice2shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice2shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice2shift_search_0_0(34 downto
+        34)) = 1)));
+      slice2cost_pixels_first_0_0_count_12 <= as_number((slice2cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice2shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice2shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice2shift_search_0_0(37 downto
+        37)) = 1)));
+      slice2cost_pixels_first_0_0_count_13 <= as_number((slice2cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice2shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice2shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice2shift_search_0_0(40 downto
+        40)) = 1)));
+      slice2cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice2shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice2shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_14_value /= (to_integer(slice2shift_search_0_0(42 downto 42)) =
+        1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice2shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice2shift_search_0_1(2
+        downto 2)) = 1) /= slice2cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice2shift_search_0_1(1 downto 1)) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice2shift_search_0_1(3 downto 3)) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice2shift_search_0_1(5 downto 5)) = 1)
+        /= slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice2shift_search_0_1(4 downto 4)) =
+        1) /= slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
-      slice2cost_pixels_first_0_1_count_8 <= as_number(slice2cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_8_choice_3);
-      slice2cost_pixels_first_0_1_count_9 <= as_number(slice2cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_9_choice_3);
-      slice2cost_pixels_first_0_1_count_10 <= as_number(slice2cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_10_choice_3);
-      slice2cost_pixels_first_0_1_count_11 <= as_number(slice2cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_11_choice_3);
-      slice2cost_pixels_first_0_1_count_12 <= as_number(slice2cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_12_choice_3);
-      slice2cost_pixels_first_0_1_count_13 <= as_number(slice2cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_13_choice_3);
-      slice2cost_pixels_first_0_1_count_14 <= as_number(slice2cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice2shift_search_0_1(8 downto 8)) = 1) /= slice2cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice2shift_search_0_1(6 downto 6)) = 1) /=
+        slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice2shift_search_0_1(9 downto 9)) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice2shift_search_0_1(11 downto 11)) = 1)
+        /= slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice2shift_search_0_1(10 downto 10))
+        = 1) /= slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice2shift_search_0_1(12 downto 12)) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice2shift_search_0_1(14 downto 14)) = 1)
+        /= slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice2shift_search_0_1(13 downto 13))
+        = 1) /= slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice2shift_search_0_1(15 downto 15)) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice2shift_search_0_1(17 downto 17)) = 1)
+        /= slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice2shift_search_0_1(16 downto 16))
+        = 1) /= slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice2shift_search_0_1(18 downto 18)) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice2shift_search_0_1(20 downto 20)) = 1)
+        /= slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice2shift_search_0_1(19 downto 19))
+        = 1) /= slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice2shift_search_0_1(21 downto 21)) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice2shift_search_0_1(23 downto 23)) = 1)
+        /= slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice2shift_search_0_1(22 downto 22))
+        = 1) /= slice2cost_pixels_first_0_0_count_7_value_3));
+      slice2cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice2shift_search_0_1(24 downto 24)) = 1) /=
+        slice2cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice2shift_search_0_1(26 downto 26)) = 1)
+        /= slice2cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice2shift_search_0_1(25 downto 25))
+        = 1) /= slice2cost_pixels_first_0_0_count_8_value_3));
+      slice2cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice2shift_search_0_1(27 downto 27)) = 1) /=
+        slice2cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice2shift_search_0_1(29 downto 29)) = 1)
+        /= slice2cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice2shift_search_0_1(28 downto 28))
+        = 1) /= slice2cost_pixels_first_0_0_count_9_value_3));
+      slice2cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice2shift_search_0_1(30 downto 30)) = 1) /=
+        slice2cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice2shift_search_0_1(32 downto 32)) =
+        1) /= slice2cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice2shift_search_0_1(31 downto
+        31)) = 1) /= slice2cost_pixels_first_0_0_count_10_value_3));
+      slice2cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice2shift_search_0_1(33 downto 33)) = 1) /=
+        slice2cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice2shift_search_0_1(35 downto 35)) =
+        1) /= slice2cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice2shift_search_0_1(34 downto
+        34)) = 1) /= slice2cost_pixels_first_0_0_count_11_value_3));
+      slice2cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice2shift_search_0_1(36 downto 36)) = 1) /=
+        slice2cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice2shift_search_0_1(38 downto 38)) =
+        1) /= slice2cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice2shift_search_0_1(37 downto
+        37)) = 1) /= slice2cost_pixels_first_0_0_count_12_value_3));
+      slice2cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice2shift_search_0_1(39 downto 39)) = 1) /=
+        slice2cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice2shift_search_0_1(41 downto 41)) =
+        1) /= slice2cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice2shift_search_0_1(40 downto
+        40)) = 1) /= slice2cost_pixels_first_0_0_count_13_value_3));
+      slice2cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice2shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice2shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice2shift_search_0_1(42
+        downto 42)) = 1) /= slice2cost_pixels_first_0_0_count_14_value));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_7 +
         slice2cost_pixels_first_0_0_count_12 + slice2cost_pixels_first_0_0_count_6 +
         slice2cost_pixels_first_0_0_count_9 + slice2cost_pixels_first_0_0_count_14 +
@@ -6108,19 +4950,20 @@ begin
         slice2cost_pixels_first_0_1_count_10 + slice2cost_pixels_first_0_1_count_4 +
         slice2cost_pixels_first_0_1_count_8 + slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_5
         + slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_13;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
       -- slice2
       slice2_held_0_0 <= other_1 / 4;
       slice2_held_0_1 <= other_0 / 4;
       -- entry
-      entry_next_tag_first_column_all := (not entry_next_tag_map_column) and slice0_tag_2_map_column and
-        slice0_tag_2_valid;
+      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all := slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all else 0;
+      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
       entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_next_tag_first_column_all else
+      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
         entry_order_held_output and slice0_tag_2_map_column;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
@@ -6136,18 +4979,18 @@ begin
       entry_next_cost_11 <= slice0_held_2_4;
       entry_next_tag_valid <= slice0_tag_2_valid;
       entry_next_tag_first_cost <= slice0_tag_2_first_cost;
-      entry_next_tag_first_column <= entry_next_tag_first_column_all;
+      entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_next_tag_first_column_all else
+      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
         (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_inside <= slice0_tag_2_map_column;
-      entry_order_complete <= entry_order_complete or entry_order_address_all when slice0_tag_2_end_of_line else
+      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
         entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_next_tag_first_column_all) and entry_order_held_output and
+        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
         slice0_tag_2_map_column;
-      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_map_column and
-        slice0_tag_2_valid and entry_order_first and entry_order_complete and entry_order_output;
+      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
+        and entry_next_top and entry_order_complete and entry_order_output;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -6162,41 +5005,41 @@ begin
       entry_cost_11 <= entry_next_cost_11;
       entry_tag_valid <= entry_next_tag_valid;
       entry_tag_first_cost <= entry_next_tag_first_cost;
-      entry_tag_map_column <= entry_order_inside;
-      entry_tag_first_column <= entry_next_tag_first_column;
+      entry_tag_map_column <= entry_next_tag_map_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_next_top;
+      entry_top <= entry_order_first;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
+      entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if slice0_tag_2_valid then
-        entry_next_tag_map_column <= slice0_tag_2_map_column;
+      if entry_order_address_all_2 then
+        entry_next_column <= 0 when slice0_tag_2_first_cost else (entry_next_column + 1) mod 32;
+        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_cost else entry_order_first;
       end if;
       if entry_order_address_all then
-        entry_next_column <= 0 when slice0_tag_2_first_cost else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_cost else entry_next_top;
-      end if;
-      if not entry_next_tag_map_column then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all;
-      end if;
-      if entry_next_tag_first_column_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
-        entry_order_first <= slice0_tag_2_start_of_frame;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
+      if not entry_order_inside then
+        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      end if;
+      if slice0_tag_2_valid then
+        entry_order_inside <= slice0_tag_2_map_column;
+      end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when forward_left_cost_2 < forward_left_cost_0 else
+      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when forward_left_cost_3 < forward_left_cost_1 else
+      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when forward_left_cost_6 < forward_left_cost_4 else
+      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when forward_left_cost_7 < forward_left_cost_5 else
+      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when forward_left_cost_10 < forward_left_cost_8 else
+      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when forward_left_cost_11 < forward_left_cost_9 else
+      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
@@ -6218,69 +5061,69 @@ begin
       end if;
       forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
         forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when forward_left_arrived_0 < forward_left_cost_0 else
+      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
       forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when forward_left_arrived_1 < forward_left_cost_1 else
+      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
       forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when forward_left_arrived_2 < forward_left_cost_2 else
+      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when forward_left_arrived_3 < forward_left_cost_3 else
+      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when forward_left_arrived_4 < forward_left_cost_4 else
+      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
       forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when forward_left_arrived_5 < forward_left_cost_5 else
+      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
       forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when forward_left_arrived_6 < forward_left_cost_6 else
+      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when forward_left_arrived_7 < forward_left_cost_7 else
+      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when forward_left_arrived_8 < forward_left_cost_8 else
+      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
       forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when forward_left_arrived_9 < forward_left_cost_9 else
+      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when forward_left_arrived_10 < forward_left_cost_10 else
-        forward_left_cost_10;
+      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
+        else forward_left_cost_10;
       forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when forward_left_arrived_11 < forward_left_cost_11 else
-        forward_left_cost_11;
+      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
+        else forward_left_cost_11;
       forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
       forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
       forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
       forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when forward_left_cost_4 < forward_left_cost_2 else
+      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when forward_left_cost_5 < forward_left_cost_3 else
+      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
       forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
       forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when forward_left_cost_8 < forward_left_cost_6 else
+      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when forward_left_cost_9 < forward_left_cost_7 else
+      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
       forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
@@ -6311,23 +5154,24 @@ begin
       forward_above_total_11_choice := 24 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
         downto 25));
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when entry_cost_1 < entry_cost_0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when entry_cost_3 < entry_cost_2 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when entry_cost_5 < entry_cost_4 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when entry_cost_7 < entry_cost_6 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when entry_cost_9 < entry_cost_8 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when entry_cost_11 < entry_cost_10 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when forward_smallest_smallest_1 <
-          forward_smallest_smallest_0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when forward_smallest_smallest_3 <
-          forward_smallest_smallest_2 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when forward_smallest_smallest_5 <
-          forward_smallest_smallest_4 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when forward_smallest_next_smallest_1
-          < forward_smallest_next_smallest_0 else forward_smallest_next_smallest_0;
+        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
+          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
+          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
+          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
+          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
+          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
         forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          forward_smallest_next_next_smallest_1 < forward_smallest_next_next_smallest_0 else
+          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
@@ -6338,17 +5182,18 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when forward_left_pair_1 < forward_left_pair_0 else
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
           forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when forward_left_pair_3 < forward_left_pair_2 else
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
           forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when forward_left_pair_5 < forward_left_pair_4 else
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
           forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when forward_left_tree_smallest_1 <
-          forward_left_tree_smallest_0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
+          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          forward_left_tree_next_smallest_1 < forward_left_tree_next_smallest_0 else forward_left_tree_next_smallest_0;
+          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
+          forward_left_tree_next_smallest_0;
         forward_left_start_cost_0 <= 24 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
         forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
         forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
@@ -6364,7 +5209,7 @@ begin
         forward_left_first_0 <= sums_right_first_2;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_smallest_cost_0) mod 64;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
         forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
         forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
@@ -6441,30 +5286,30 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
-          forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
-          forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
-          forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
-          forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
-          forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
-          else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
-          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
-          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
-          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
         forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
           forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
         forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
@@ -6492,25 +5337,25 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
           forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
           forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
           forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
@@ -6556,7 +5401,7 @@ begin
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_comes_9 <= sums_turn_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -6579,7 +5424,7 @@ begin
         forward_sum_9 <= forward_left_cost_9 + forward_above_cost_9;
         forward_sum_10 <= forward_left_cost_10 + forward_above_cost_10;
         forward_sum_11 <= forward_left_cost_11 + forward_above_cost_11;
-        forward_first_0 <= entry_tag_first_column;
+        forward_first_0 <= entry_turned_first_column;
         forward_first_1 <= forward_first_0;
         forward_first_2 <= forward_first_1;
         forward_first_3 <= forward_first_2;
@@ -6631,35 +5476,36 @@ begin
         forward_cost_3_9 <= forward_cost_2_9;
         forward_cost_3_10 <= forward_cost_2_10;
         forward_cost_3_11 <= forward_cost_2_11;
+        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
         forward_smallest_cost_1 <= forward_left_smallest;
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
-      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
-        forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
-        else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
-        else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
-        else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
-        else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
-        else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
-        else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
-        else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
-        else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
-        else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
-        else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
-        else forward_above_stay_7;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
       forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
       if forward_above_write_words_0_all then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
@@ -6677,12 +5523,18 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when sums_right_cost_2 < sums_right_cost_0 else sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when sums_right_cost_3 < sums_right_cost_1 else sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when sums_right_cost_6 < sums_right_cost_4 else sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when sums_right_cost_7 < sums_right_cost_5 else sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when sums_right_cost_10 < sums_right_cost_8 else sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when sums_right_cost_11 < sums_right_cost_9 else sums_right_cost_9;
+      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
@@ -6701,69 +5553,69 @@ begin
         sums_right_room_choice := sums_right_room;
       end if;
       sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when sums_right_arrived_0 < sums_right_cost_0 else
+      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
       sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when sums_right_arrived_1 < sums_right_cost_1 else
+      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
       sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when sums_right_arrived_2 < sums_right_cost_2 else
+      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when sums_right_arrived_3 < sums_right_cost_3 else
+      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when sums_right_arrived_4 < sums_right_cost_4 else
+      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
       sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when sums_right_arrived_5 < sums_right_cost_5 else
+      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
       sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when sums_right_arrived_6 < sums_right_cost_6 else
+      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when sums_right_arrived_7 < sums_right_cost_7 else
+      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when sums_right_arrived_8 < sums_right_cost_8 else
+      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
       sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when sums_right_arrived_9 < sums_right_cost_9 else
+      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
       sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when sums_right_arrived_10 < sums_right_cost_10 else
+      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
       sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when sums_right_arrived_11 < sums_right_cost_11 else
+      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
       sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_11_choice;
       sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
       sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
       sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when sums_right_cost_4 < sums_right_cost_2 else
+      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when sums_right_cost_5 < sums_right_cost_3 else
+      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
       sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
       sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when sums_right_cost_8 < sums_right_cost_6 else
+      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when sums_right_cost_9 < sums_right_cost_7 else
+      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
       sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
@@ -6782,6 +5634,10 @@ begin
         sums_turn_comes_2 <= sums_turn_comes_1;
         sums_turn_comes_3 <= sums_turn_comes_2;
         sums_turn_comes_4 <= sums_turn_comes_3;
+        sums_turn_comes_5 <= forward_above_comes_4;
+        sums_turn_comes_6 <= sums_turn_comes_5;
+        sums_turn_comes_7 <= sums_turn_comes_6;
+        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -6821,17 +5677,17 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when sums_right_pair_1 < sums_right_pair_0 else
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
           sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when sums_right_pair_3 < sums_right_pair_2 else
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
           sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when sums_right_pair_5 < sums_right_pair_4 else
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
           sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when sums_right_tree_smallest_1 <
-          sums_right_tree_smallest_0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
+          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when sums_right_tree_next_smallest_1 <
-          sums_right_tree_next_smallest_0 else sums_right_tree_next_smallest_0;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
+          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
         sums_right_start_cost_0 <= 24 when forward_first_0 else sums_right_start_cost_0_choice_2;
         sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
         sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
@@ -6950,324 +5806,421 @@ begin
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
-        1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
-      winnerswinner1_best_index_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_0_value when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_0_value;
-      winnerswinner1_best_index_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_2 when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_2;
-      winnerswinner1_best_index_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_3;
-      winnerswinner1_best_index_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_4;
-      winnerswinner1_best_index_0_1_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) =
-        1)) when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when ((sums_sum_0_2 / 2) mod 2) =
-        1 else ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
-      winnerswinner1_best_index_0_1_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_1_value when winnerswinner1_best_index_0_1_choice_2 else (not (((sums_sum_0_2 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_1_value;
-      winnerswinner1_best_index_0_1_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_2 when winnerswinner1_best_index_0_1_choice_3 else (not (((sums_sum_0_2 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_2;
-      winnerswinner1_best_index_0_1_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_3 when winnerswinner1_best_index_0_1_choice_4 else (not (((sums_sum_0_2 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_3;
-      winnerswinner1_best_index_0_1_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_4 when winnerswinner1_best_index_0_1_choice_5 else (not (((sums_sum_0_2 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_4;
-      winnerswinner1_best_index_0_1_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnerswinner1_best_index_0_1_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnerswinner1_best_index_0_2_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) =
-        1)) when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when ((sums_sum_0_4 / 2) mod 2) =
-        1 else ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
-      winnerswinner1_best_index_0_2_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_2_value when winnerswinner1_best_index_0_2_choice_2 else (not (((sums_sum_0_4 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_2_value;
-      winnerswinner1_best_index_0_2_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_2 when winnerswinner1_best_index_0_2_choice_3 else (not (((sums_sum_0_4 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_2;
-      winnerswinner1_best_index_0_2_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_3 when winnerswinner1_best_index_0_2_choice_4 else (not (((sums_sum_0_4 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_3;
-      winnerswinner1_best_index_0_2_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_4 when winnerswinner1_best_index_0_2_choice_5 else (not (((sums_sum_0_4 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_4;
-      winnerswinner1_best_index_0_2_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnerswinner1_best_index_0_2_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnerswinner1_best_index_0_3_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) =
-        1)) when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when ((sums_sum_0_6 / 2) mod 2) =
-        1 else ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
-      winnerswinner1_best_index_0_3_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_3_value when winnerswinner1_best_index_0_3_choice_2 else (not (((sums_sum_0_6 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_3_value;
-      winnerswinner1_best_index_0_3_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_2 when winnerswinner1_best_index_0_3_choice_3 else (not (((sums_sum_0_6 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_2;
-      winnerswinner1_best_index_0_3_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_3 when winnerswinner1_best_index_0_3_choice_4 else (not (((sums_sum_0_6 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_3;
-      winnerswinner1_best_index_0_3_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_4 when winnerswinner1_best_index_0_3_choice_5 else (not (((sums_sum_0_6 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_4;
-      winnerswinner1_best_index_0_3_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnerswinner1_best_index_0_3_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnerswinner1_best_index_0_4_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) =
-        1)) when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when ((sums_sum_0_8 / 2) mod 2) =
-        1 else ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
-      winnerswinner1_best_index_0_4_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_4_value when winnerswinner1_best_index_0_4_choice_2 else (not (((sums_sum_0_8 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_4_value;
-      winnerswinner1_best_index_0_4_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_2 when winnerswinner1_best_index_0_4_choice_3 else (not (((sums_sum_0_8 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_2;
-      winnerswinner1_best_index_0_4_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_3 when winnerswinner1_best_index_0_4_choice_4 else (not (((sums_sum_0_8 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_3;
-      winnerswinner1_best_index_0_4_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_4 when winnerswinner1_best_index_0_4_choice_5 else (not (((sums_sum_0_8 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_4;
-      winnerswinner1_best_index_0_4_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnerswinner1_best_index_0_4_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnerswinner1_best_index_0_5_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
+        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
+        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
+      winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
+        winnerswinner1_of_pair_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
+      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
+        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
+        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
+      winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
+        winnerswinner1_of_pair_0_2_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
+      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
+        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
+        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_4_value;
+      winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
+      winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
+        winnerswinner1_of_pair_0_4_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
+      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
+        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
+        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_6_value;
+      winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
+      winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
+        winnerswinner1_of_pair_0_6_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
+      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
+        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
+        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_8_value;
+      winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
+      winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
+        winnerswinner1_of_pair_0_8_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
+      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
         1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when ((sums_sum_0_10 / 2) mod 2) =
-        1 else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
-      winnerswinner1_best_index_0_5_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_5_value when winnerswinner1_best_index_0_5_choice_2 else (not (((sums_sum_0_10 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_5_value;
-      winnerswinner1_best_index_0_5_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_2 when winnerswinner1_best_index_0_5_choice_3 else (not (((sums_sum_0_10 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_2;
-      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_3 when winnerswinner1_best_index_0_5_choice_4 else (not (((sums_sum_0_10 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_3;
-      winnerswinner1_best_index_0_5_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_4 when winnerswinner1_best_index_0_5_choice_5 else (not (((sums_sum_0_10 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_4;
-      winnerswinner1_best_index_0_5_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
-        winnerswinner1_best_index_0_5_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
-      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
-      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
-      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
-      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
-      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
-      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
-      winnerswinner1_best_index_0_0 <= ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
-        winnerswinner1_best_index_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_7 else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_7 else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_7 else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_7 else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_7 else 10;
-      winnerswinner1_tag_valid <= sums_tag_valid;
-      winnerswinner1_tag_map_column <= sums_tag_map_column;
-      winnerswinner1_tag_output_column <= sums_tag_output_column;
-      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
-      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
+        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
+        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
+      winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
+        winnerswinner1_of_pair_0_10_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
+      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
+        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
+        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
+        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
+        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
+      winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 / 64) = 1)) when winnerswinner1_of_four_0_0_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
+        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
+        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
+        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
+        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
+      winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 / 64) = 1)) when winnerswinner1_of_four_0_4_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 64) = 1)));
+      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
+        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
+        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
+        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
+        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
+      winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_8_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
+      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_7 else sums_sum_0_0;
+      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_7 else 0;
+      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_7 else sums_sum_0_2;
+      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_7 else 0;
+      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_7 else sums_sum_0_4;
+      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_7 else 0;
+      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_7 else sums_sum_0_6;
+      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_7 else 0;
+      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_7 else sums_sum_0_8;
+      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_7 else 0;
+      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_7 else sums_sum_0_10;
+      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_7 else 0;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_7;
+      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_7 else 2;
+      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_7 else 4;
+      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_7 else 6;
+      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_7 else 8;
+      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_7 else 10;
+      winnerswinner1_pair_tag_valid <= sums_tag_valid;
+      winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
+      winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_0;
+      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_1;
+      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_7 else 0;
+      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
+      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_4;
+      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_5;
+      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_7 else 0;
+      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_7 else 0;
+      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_8;
+      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_9;
+      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_7 else 0;
+      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_7 else 0;
+      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_7 else
+        as_number(winnerswinner1_pair_index_0_0);
+      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_7 else
+        winnerswinner1_pair_index_0_2;
+      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_7 else
+        winnerswinner1_pair_index_0_4;
+      winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
+      winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
+      winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
+      winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
+      winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
+      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 7)))) or (to_unsigned(winnerswinner1_of_four_0_1, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_0, 7))));
+      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_7, 7)))) or (to_unsigned(winnerswinner1_of_four_0_5, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_4, 7))));
+      winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_11, 7)))) or (to_unsigned(winnerswinner1_of_four_0_9, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_8, 7))));
+      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
+      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
+      winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
+      winnerswinner1_tag_valid <= winnerswinner1_four_tag_valid;
+      winnerswinner1_tag_map_column <= winnerswinner1_four_tag_map_column;
+      winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
       -- winnerswinner2
-      winnerswinner2_best_index_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_0_choice_2 := winnerswinner2_best_index_0_0_choice when
-        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_1 mod 4) = 0);
-      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
-      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
-      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
-      winnerswinner2_best_index_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
+        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
+        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
+      winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_of_pair_0_0_choice_6 else
         ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
-      winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice when
-        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_3 mod 4) = 0);
-      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
-        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
-      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
-        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
-      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
-        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
-      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
-        (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
-        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
-      winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_2_choice_2 := winnerswinner2_best_index_0_2_choice when
-        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_4 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_5 mod 4) = 0);
-      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
-        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
-      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
-        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
-      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
-        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
-      winnerswinner2_best_index_0_2_value_4 := ((winnerswinner1_best_cost_0_5 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
-        (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
-        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
-        as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
-        winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
-        winnerswinner1_best_index_0_4;
-      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
-      winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
-      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
-      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
-      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      -- winnerswinner3
-      winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when (winnerswinner2_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice when
-        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner2_best_cost_0_1 mod 4) = 0);
-      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
-        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
-      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
-        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
-      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
-        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
-      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
-        (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
-        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
-        winnerswinner2_best_index_0_0;
-      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
-      winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
-      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
-      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
-      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
-      -- winnerswinner4
-      winnerswinner4_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when (winnerswinner3_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner4_best_index_0_0_choice_2 := winnerswinner4_best_index_0_0_choice when
-        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner3_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner3_best_cost_0_1 mod 4) = 0);
-      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
-        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
-      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
-        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
-      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
-        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
-      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner3_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
-        (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
-      winnerswinner4_best_index_0_0_choice_7 := ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner3_best_cost_0_1 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
-        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner3_best_cost_0_1 / 64) = 1));
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_7 else
-        winnerswinner3_best_index_0_0;
-      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
-      winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
-      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
-      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
-      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
+        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4 when
+        winnerswinner2_four_index_0_0_choice else (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6 when
+        winnerswinner2_four_index_0_0_choice_2 else (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8 when
+        winnerswinner2_four_index_0_0_choice_3 else (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      winnerswinner2_four_index_0_0_value_9 := ((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_10 := ((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10 when
+        winnerswinner2_four_index_0_0_choice_4 else (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
+      winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
+        ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1) when
+        winnerswinner2_four_index_0_0_choice_5 else (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
+        (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1));
+      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_7 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_7 else 0;
+      winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_7 else
+        winnerswinner1_best_index_0_0;
+      winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
+      winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
+      winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_6 else
+        winnerswinner2_pair_index_0_0;
+      winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
+      winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
+      winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
+      winnerswinner2_four_tag_start_of_frame <= winnerswinner2_pair_tag_start_of_frame;
+      winnerswinner2_four_tag_end_of_line <= winnerswinner2_pair_tag_end_of_line;
+      winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
+      winnerswinner2_tag_valid <= winnerswinner2_four_tag_valid;
+      winnerswinner2_tag_map_column <= winnerswinner2_four_tag_map_column;
+      winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
       -- winners
-      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
-      winners_best_tag_valid <= winnerswinner4_tag_valid;
-      winners_best_tag_map_column <= winnerswinner4_tag_map_column;
-      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
-      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
-      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner2_tag_valid;
+      winners_best_tag_map_column <= winnerswinner2_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_address_choice := 0 when turn_order_falls else 7;
@@ -7316,18 +6269,18 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- other
-      other_2_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_1 / 4;
-      other_3_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_0 / 4;
-      other_9_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_4 / 4;
-      other_10_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_3 / 4;
-      other_11_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_2 / 4;
-      other_12_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_1 / 4;
-      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_0 / 4;
-      other_19_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_4 / 4;
-      other_20_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_3 / 4;
-      other_21_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_2 / 4;
-      other_22_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_1 / 4;
-      other_23_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_0 / 4;
+      other_2_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_1 / 4;
+      other_3_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_0 / 4;
+      other_9_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_4 / 4;
+      other_10_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_3 / 4;
+      other_11_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_2 / 4;
+      other_12_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_1 / 4;
+      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_0 / 4;
+      other_19_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 / 4;
+      other_20_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 / 4;
+      other_21_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 / 4;
+      other_22_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 / 4;
+      other_23_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 / 4;
       other_0 <= other_2;
       other_1 <= other_3;
       other_2 <= other_2_choice * 4;
@@ -7366,10 +6319,10 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 12;
@@ -7405,6 +6358,12 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_first_cost <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_first_cost <= false;
         slice0cost_tag_map_column <= false;
@@ -7439,12 +6398,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
+        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
-        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
@@ -7485,6 +6444,10 @@ begin
         sums_turn_comes_2 <= false;
         sums_turn_comes_3 <= false;
         sums_turn_comes_4 <= false;
+        sums_turn_comes_5 <= false;
+        sums_turn_comes_6 <= false;
+        sums_turn_comes_7 <= false;
+        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -7518,26 +6481,36 @@ begin
         sums_tags_held_4_start_of_frame <= false;
         sums_tags_held_4_end_of_line <= false;
         sums_tags_moved <= false;
+        winnerswinner1_pair_tag_valid <= false;
+        winnerswinner1_pair_tag_map_column <= false;
+        winnerswinner1_pair_tag_output_column <= false;
+        winnerswinner1_pair_tag_start_of_frame <= false;
+        winnerswinner1_pair_tag_end_of_line <= false;
+        winnerswinner1_four_tag_valid <= false;
+        winnerswinner1_four_tag_map_column <= false;
+        winnerswinner1_four_tag_output_column <= false;
+        winnerswinner1_four_tag_start_of_frame <= false;
+        winnerswinner1_four_tag_end_of_line <= false;
         winnerswinner1_tag_valid <= false;
         winnerswinner1_tag_map_column <= false;
         winnerswinner1_tag_output_column <= false;
         winnerswinner1_tag_start_of_frame <= false;
         winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_pair_tag_valid <= false;
+        winnerswinner2_pair_tag_map_column <= false;
+        winnerswinner2_pair_tag_output_column <= false;
+        winnerswinner2_pair_tag_start_of_frame <= false;
+        winnerswinner2_pair_tag_end_of_line <= false;
+        winnerswinner2_four_tag_valid <= false;
+        winnerswinner2_four_tag_map_column <= false;
+        winnerswinner2_four_tag_output_column <= false;
+        winnerswinner2_four_tag_start_of_frame <= false;
+        winnerswinner2_four_tag_end_of_line <= false;
         winnerswinner2_tag_valid <= false;
         winnerswinner2_tag_map_column <= false;
         winnerswinner2_tag_output_column <= false;
         winnerswinner2_tag_start_of_frame <= false;
         winnerswinner2_tag_end_of_line <= false;
-        winnerswinner3_tag_valid <= false;
-        winnerswinner3_tag_map_column <= false;
-        winnerswinner3_tag_output_column <= false;
-        winnerswinner3_tag_start_of_frame <= false;
-        winnerswinner3_tag_end_of_line <= false;
-        winnerswinner4_tag_valid <= false;
-        winnerswinner4_tag_map_column <= false;
-        winnerswinner4_tag_output_column <= false;
-        winnerswinner4_tag_start_of_frame <= false;
-        winnerswinner4_tag_end_of_line <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 29,
+      latency_clocks => 32,
       flush_groups => 168,
       gap_groups => 0,
-      core_id => x"3a80274d",
+      core_id => x"f4c0a6c3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 29,
+      latency_clocks => 32,
       flush_groups => 168,
       gap_groups => 0)
     port map (

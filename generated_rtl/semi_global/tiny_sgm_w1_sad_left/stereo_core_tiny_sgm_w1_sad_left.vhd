@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_w1_sad_left: 40x12, 12 disparities, window 1x1, P1 5, P2 22, 1 pixel pairs a clock.
+-- Stereo core, semi global, configuration tiny_sgm_w1_sad_left: 40x12, 12 disparities, window 1x1, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, window_px 1, reference left, cost sad, cost_shift 3, cost_cap 12,
 --   slice_disparities 5, cost_clocks 2.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_tiny_sgm_w1_sad_left is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 22;
+    latency_clocks : positive := 24;
     flush_groups : positive := 84;
     gap_groups : natural := 0
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_w1_sad_left: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_sgm_w1_sad_left: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_sgm_w1_sad_left: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 22 report "stereo_core_tiny_sgm_w1_sad_left: latency_clocks is " & integer'image(latency_clocks) & " but this core has 22" severity failure;
+  assert latency_clocks = 24 report "stereo_core_tiny_sgm_w1_sad_left: latency_clocks is " & integer'image(latency_clocks) & " but this core has 24" severity failure;
   assert flush_groups = 84 report "stereo_core_tiny_sgm_w1_sad_left: flush_groups is " & integer'image(flush_groups) & " but this core has 84" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_sgm_w1_sad_left: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -181,8 +179,9 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal forward_above_column_0, forward_above_column_1, forward_above_column_2 : natural range 0 to 31;
   signal forward_above_column_3, forward_above_column_4, forward_above_column_5 : natural range 0 to 31;
   signal forward_above_column_6, forward_above_column_7, forward_above_column_8 : natural range 0 to 31;
-  signal forward_above_column_9, forward_above_write_column, forward_smallest_cost_1 : natural range 0 to 31;
-  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 31;
+  signal forward_above_column_9, forward_above_write_column, forward_smallest_cost_0 : natural range 0 to 31;
+  signal forward_smallest_cost_1, forward_smallest_cost_2, forward_smallest_cost_3 : natural range 0 to 31;
+  signal forward_smallest_cost_4 : natural range 0 to 31;
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost_delay_held_0, forward_above_read_words_0, forward_above_read_words_1 : unsigned(31 downto 0);
@@ -273,8 +272,9 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal sums_turn_place_7, sums_turn_place_8, sums_turn_write_smallest_0 : natural range 0 to 31;
   signal sums_turn_write_place, sums_right_room, sums_right_smallest : natural range 0 to 31;
   signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
-  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
+  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
+  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
   signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
   signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
   signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
@@ -314,34 +314,43 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 127;
   signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 127;
   -- winnerswinner1
+  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_pair_0_8 : natural range 0 to 127;
+  signal winnerswinner1_of_pair_0_9, winnerswinner1_of_pair_0_10, winnerswinner1_of_pair_0_11 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_0, winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_3, winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_6, winnerswinner1_of_four_0_7, winnerswinner1_of_four_0_8 : natural range 0 to 127;
+  signal winnerswinner1_of_four_0_9, winnerswinner1_of_four_0_10, winnerswinner1_of_four_0_11 : natural range 0 to 127;
   signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 127;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 127;
-  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
-  signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  signal winnerswinner1_best_cost_0_2 : natural range 0 to 127;
+  signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_map_column : boolean;
+  signal winnerswinner1_pair_tag_output_column, winnerswinner1_pair_tag_start_of_frame : boolean;
+  signal winnerswinner1_pair_tag_end_of_line, winnerswinner1_four_tag_valid : boolean;
+  signal winnerswinner1_four_tag_map_column, winnerswinner1_four_tag_output_column : boolean;
+  signal winnerswinner1_four_tag_start_of_frame, winnerswinner1_four_tag_end_of_line : boolean;
+  signal winnerswinner1_tag_valid, winnerswinner1_tag_map_column, winnerswinner1_tag_output_column : boolean;
+  signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_pair_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner2_best_cost_0_2 : natural range 0 to 127;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_of_pair_0_0, winnerswinner2_of_pair_0_1, winnerswinner2_of_pair_0_2 : natural range 0 to 127;
+  signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
+  signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_pair_tag_valid, winnerswinner2_pair_tag_map_column : boolean;
+  signal winnerswinner2_pair_tag_output_column, winnerswinner2_pair_tag_start_of_frame : boolean;
+  signal winnerswinner2_pair_tag_end_of_line, winnerswinner2_four_tag_valid : boolean;
+  signal winnerswinner2_four_tag_map_column, winnerswinner2_four_tag_output_column : boolean;
+  signal winnerswinner2_four_tag_start_of_frame, winnerswinner2_four_tag_end_of_line : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
-  -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 127;
-  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
-  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
-  signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
-  signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
-  -- winnerswinner4
-  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
-  signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
-  signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
@@ -527,70 +536,81 @@ begin
       write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
-    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_map_column_all, entry_order_address_all : boolean;
+    variable entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value : boolean;
-    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_2 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_3 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_4 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value : boolean;
-    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_2 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_3 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_4 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
-    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
-    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
-    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_4 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_5 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
     variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
     variable turn_order_turned_output_column_choice, other_2_is_less, other_3_is_less, other_9_is_less : boolean;
     variable other_10_is_less, other_11_is_less, other_12_is_less, other_13_is_less, other_19_is_less : boolean;
@@ -675,16 +695,18 @@ begin
       end if;
       -- delay
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
+      delay_tag_map_column_all := delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_less when
-        (raster_place_group / 8) = 1 else delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_all;
+      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_not_less and
+        delay_tag_map_column_is_less when (raster_place_group / 8) = 1 else delay_tag_map_column_all;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -730,16 +752,16 @@ begin
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
-      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
-      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
       -- slice0window
       slice0window_tag_valid <= slice0cost_pair_tag_valid;
       slice0window_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0window_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0window_tag_map_column <= slice0cost_pair_tag_output_column;
-      slice0window_tag_output_column <= slice0cost_pair_tag_map_column;
+      slice0window_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0window_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0window_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0window_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0
@@ -899,17 +921,17 @@ begin
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when forward_left_cost_2 < forward_left_cost_0 else
+      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when forward_left_cost_3 < forward_left_cost_1 else
+      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when forward_left_cost_6 < forward_left_cost_4 else
+      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when forward_left_cost_7 < forward_left_cost_5 else
+      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when forward_left_cost_10 < forward_left_cost_8 else
+      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when forward_left_cost_11 < forward_left_cost_9 else
+      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
@@ -931,69 +953,69 @@ begin
       end if;
       forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
         forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when forward_left_arrived_0 < forward_left_cost_0 else
+      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
       forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when forward_left_arrived_1 < forward_left_cost_1 else
+      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
       forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when forward_left_arrived_2 < forward_left_cost_2 else
+      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when forward_left_arrived_3 < forward_left_cost_3 else
+      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when forward_left_arrived_4 < forward_left_cost_4 else
+      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
       forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when forward_left_arrived_5 < forward_left_cost_5 else
+      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
       forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when forward_left_arrived_6 < forward_left_cost_6 else
+      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when forward_left_arrived_7 < forward_left_cost_7 else
+      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when forward_left_arrived_8 < forward_left_cost_8 else
+      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
       forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when forward_left_arrived_9 < forward_left_cost_9 else
+      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when forward_left_arrived_10 < forward_left_cost_10 else
-        forward_left_cost_10;
+      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
+        else forward_left_cost_10;
       forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when forward_left_arrived_11 < forward_left_cost_11 else
-        forward_left_cost_11;
+      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
+        else forward_left_cost_11;
       forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
       forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
       forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
       forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when forward_left_cost_4 < forward_left_cost_2 else
+      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when forward_left_cost_5 < forward_left_cost_3 else
+      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
       forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
       forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when forward_left_cost_8 < forward_left_cost_6 else
+      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when forward_left_cost_9 < forward_left_cost_7 else
+      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
       forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
@@ -1024,23 +1046,24 @@ begin
       forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
         downto 25));
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when entry_cost_1 < entry_cost_0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when entry_cost_3 < entry_cost_2 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when entry_cost_5 < entry_cost_4 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when entry_cost_7 < entry_cost_6 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when entry_cost_9 < entry_cost_8 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when entry_cost_11 < entry_cost_10 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when forward_smallest_smallest_1 <
-          forward_smallest_smallest_0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when forward_smallest_smallest_3 <
-          forward_smallest_smallest_2 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when forward_smallest_smallest_5 <
-          forward_smallest_smallest_4 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when forward_smallest_next_smallest_1
-          < forward_smallest_next_smallest_0 else forward_smallest_next_smallest_0;
+        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
+          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
+          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
+          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
+          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
+          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
         forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          forward_smallest_next_next_smallest_1 < forward_smallest_next_next_smallest_0 else
+          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
@@ -1051,17 +1074,18 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when forward_left_pair_1 < forward_left_pair_0 else
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
           forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when forward_left_pair_3 < forward_left_pair_2 else
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
           forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when forward_left_pair_5 < forward_left_pair_4 else
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
           forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when forward_left_tree_smallest_1 <
-          forward_left_tree_smallest_0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
+          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          forward_left_tree_next_smallest_1 < forward_left_tree_next_smallest_0 else forward_left_tree_next_smallest_0;
+          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
+          forward_left_tree_next_smallest_0;
         forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
         forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
         forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
@@ -1076,7 +1100,7 @@ begin
         forward_left_first_0 <= sums_right_first_2;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 64;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_smallest_cost_0) mod 64;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 64;
         forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 64;
         forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 64;
@@ -1153,30 +1177,30 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
-          forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
-          forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
-          forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
-          forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
-          forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
-          else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
-          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
-          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
-          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
         forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
           forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
         forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
@@ -1204,25 +1228,25 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
           forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
           forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
           forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
@@ -1263,12 +1287,12 @@ begin
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
-        forward_above_comes_4 <= sums_turn_comes_3;
-        forward_above_comes_5 <= forward_above_comes_4;
+        forward_above_comes_4 <= forward_above_comes_3;
+        forward_above_comes_5 <= sums_turn_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_comes_9 <= sums_turn_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -1343,35 +1367,36 @@ begin
         forward_cost_3_9 <= forward_cost_2_9;
         forward_cost_3_10 <= forward_cost_2_10;
         forward_cost_3_11 <= forward_cost_2_11;
+        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
         forward_smallest_cost_1 <= forward_left_smallest;
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
-      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
-        forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
-        else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
-        else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
-        else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
-        else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
-        else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
-        else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
-        else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
-        else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
-        else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
-        else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
-        else forward_above_stay_7;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
       forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
       if forward_above_write_words_0_all then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
@@ -1389,12 +1414,18 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when sums_right_cost_2 < sums_right_cost_0 else sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when sums_right_cost_3 < sums_right_cost_1 else sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when sums_right_cost_6 < sums_right_cost_4 else sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when sums_right_cost_7 < sums_right_cost_5 else sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when sums_right_cost_10 < sums_right_cost_8 else sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when sums_right_cost_11 < sums_right_cost_9 else sums_right_cost_9;
+      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
@@ -1413,69 +1444,69 @@ begin
         sums_right_room_choice := sums_right_room;
       end if;
       sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when sums_right_arrived_0 < sums_right_cost_0 else
+      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
       sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when sums_right_arrived_1 < sums_right_cost_1 else
+      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
       sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when sums_right_arrived_2 < sums_right_cost_2 else
+      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when sums_right_arrived_3 < sums_right_cost_3 else
+      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when sums_right_arrived_4 < sums_right_cost_4 else
+      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
       sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when sums_right_arrived_5 < sums_right_cost_5 else
+      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
       sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when sums_right_arrived_6 < sums_right_cost_6 else
+      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when sums_right_arrived_7 < sums_right_cost_7 else
+      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when sums_right_arrived_8 < sums_right_cost_8 else
+      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
       sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when sums_right_arrived_9 < sums_right_cost_9 else
+      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
       sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when sums_right_arrived_10 < sums_right_cost_10 else
+      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
       sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when sums_right_arrived_11 < sums_right_cost_11 else
+      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
       sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
         sums_right_cost_11_choice;
       sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
       sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
       sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when sums_right_cost_4 < sums_right_cost_2 else
+      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when sums_right_cost_5 < sums_right_cost_3 else
+      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
       sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
       sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when sums_right_cost_8 < sums_right_cost_6 else
+      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when sums_right_cost_9 < sums_right_cost_7 else
+      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
       sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
@@ -1493,7 +1524,11 @@ begin
         sums_turn_comes_1 <= sums_turn_comes_0;
         sums_turn_comes_2 <= sums_turn_comes_1;
         sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= forward_above_comes_3;
+        sums_turn_comes_4 <= sums_turn_comes_3;
+        sums_turn_comes_5 <= forward_above_comes_4;
+        sums_turn_comes_6 <= sums_turn_comes_5;
+        sums_turn_comes_7 <= sums_turn_comes_6;
+        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -1533,17 +1568,17 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when sums_right_pair_1 < sums_right_pair_0 else
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
           sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when sums_right_pair_3 < sums_right_pair_2 else
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
           sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when sums_right_pair_5 < sums_right_pair_4 else
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
           sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when sums_right_tree_smallest_1 <
-          sums_right_tree_smallest_0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
+          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when sums_right_tree_next_smallest_1 <
-          sums_right_tree_next_smallest_0 else sums_right_tree_next_smallest_0;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
+          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
         sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
         sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
         sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
@@ -1655,330 +1690,423 @@ begin
       sums_sum_0_10 <= (sums_right_cost_10 + to_integer(sums_sum_delay_held_2(27 downto 14))) mod 128;
       sums_sum_0_11 <= (sums_right_cost_11 + to_integer(sums_sum_delay_held_2(27 downto 21))) mod 128;
       sums_tag_valid <= sums_tags_moved;
-      sums_tag_map_column <= sums_turn_comes_4;
+      sums_tag_map_column <= forward_above_comes_4;
       sums_tag_output_column <= sums_tags_held_4_output_column;
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
-        1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
-      winnerswinner1_best_index_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_0_value when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_0_value;
-      winnerswinner1_best_index_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_2 when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_2;
-      winnerswinner1_best_index_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_3;
-      winnerswinner1_best_index_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_4;
-      winnerswinner1_best_index_0_1_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) =
-        1)) when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when ((sums_sum_0_2 / 2) mod 2) =
-        1 else ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
-      winnerswinner1_best_index_0_1_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_1_value when winnerswinner1_best_index_0_1_choice_2 else (not (((sums_sum_0_2 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_1_value;
-      winnerswinner1_best_index_0_1_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_2 when winnerswinner1_best_index_0_1_choice_3 else (not (((sums_sum_0_2 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_2;
-      winnerswinner1_best_index_0_1_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_3 when winnerswinner1_best_index_0_1_choice_4 else (not (((sums_sum_0_2 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_3;
-      winnerswinner1_best_index_0_1_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_4 when winnerswinner1_best_index_0_1_choice_5 else (not (((sums_sum_0_2 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_4;
-      winnerswinner1_best_index_0_1_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnerswinner1_best_index_0_1_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnerswinner1_best_index_0_2_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) =
-        1)) when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when ((sums_sum_0_4 / 2) mod 2) =
-        1 else ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
-      winnerswinner1_best_index_0_2_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_2_value when winnerswinner1_best_index_0_2_choice_2 else (not (((sums_sum_0_4 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_2_value;
-      winnerswinner1_best_index_0_2_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_2 when winnerswinner1_best_index_0_2_choice_3 else (not (((sums_sum_0_4 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_2;
-      winnerswinner1_best_index_0_2_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_3 when winnerswinner1_best_index_0_2_choice_4 else (not (((sums_sum_0_4 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_3;
-      winnerswinner1_best_index_0_2_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_4 when winnerswinner1_best_index_0_2_choice_5 else (not (((sums_sum_0_4 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_4;
-      winnerswinner1_best_index_0_2_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnerswinner1_best_index_0_2_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnerswinner1_best_index_0_3_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) =
-        1)) when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when ((sums_sum_0_6 / 2) mod 2) =
-        1 else ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
-      winnerswinner1_best_index_0_3_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_3_value when winnerswinner1_best_index_0_3_choice_2 else (not (((sums_sum_0_6 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_3_value;
-      winnerswinner1_best_index_0_3_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_2 when winnerswinner1_best_index_0_3_choice_3 else (not (((sums_sum_0_6 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_2;
-      winnerswinner1_best_index_0_3_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_3 when winnerswinner1_best_index_0_3_choice_4 else (not (((sums_sum_0_6 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_3;
-      winnerswinner1_best_index_0_3_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_4 when winnerswinner1_best_index_0_3_choice_5 else (not (((sums_sum_0_6 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_4;
-      winnerswinner1_best_index_0_3_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnerswinner1_best_index_0_3_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnerswinner1_best_index_0_4_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) =
-        1)) when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when ((sums_sum_0_8 / 2) mod 2) =
-        1 else ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
-      winnerswinner1_best_index_0_4_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_4_value when winnerswinner1_best_index_0_4_choice_2 else (not (((sums_sum_0_8 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_4_value;
-      winnerswinner1_best_index_0_4_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_2 when winnerswinner1_best_index_0_4_choice_3 else (not (((sums_sum_0_8 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_2;
-      winnerswinner1_best_index_0_4_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_3 when winnerswinner1_best_index_0_4_choice_4 else (not (((sums_sum_0_8 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_3;
-      winnerswinner1_best_index_0_4_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_4 when winnerswinner1_best_index_0_4_choice_5 else (not (((sums_sum_0_8 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_4;
-      winnerswinner1_best_index_0_4_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnerswinner1_best_index_0_4_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnerswinner1_best_index_0_5_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
+        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
+        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
+      winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
+        winnerswinner1_of_pair_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
+      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
+        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
+        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
+      winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
+        winnerswinner1_of_pair_0_2_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
+      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
+        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
+        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_4_value;
+      winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
+      winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
+        winnerswinner1_of_pair_0_4_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
+      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
+        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
+        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_6_value;
+      winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
+      winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
+        winnerswinner1_of_pair_0_6_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
+      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
+        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
+        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_8_value;
+      winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
+      winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
+        winnerswinner1_of_pair_0_8_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
+      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
         1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when ((sums_sum_0_10 / 2) mod 2) =
-        1 else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
-      winnerswinner1_best_index_0_5_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_5_value when winnerswinner1_best_index_0_5_choice_2 else (not (((sums_sum_0_10 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_5_value;
-      winnerswinner1_best_index_0_5_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_2 when winnerswinner1_best_index_0_5_choice_3 else (not (((sums_sum_0_10 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_2;
-      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_3 when winnerswinner1_best_index_0_5_choice_4 else (not (((sums_sum_0_10 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_3;
-      winnerswinner1_best_index_0_5_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_4 when winnerswinner1_best_index_0_5_choice_5 else (not (((sums_sum_0_10 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_4;
-      winnerswinner1_best_index_0_5_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
-        winnerswinner1_best_index_0_5_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
-      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
-      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
-      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
-      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
-      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
-      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
-      winnerswinner1_best_index_0_0 <= ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
-        winnerswinner1_best_index_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_7 else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_7 else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_7 else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_7 else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_7 else 10;
-      winnerswinner1_tag_valid <= sums_tag_valid;
-      winnerswinner1_tag_map_column <= sums_tag_map_column;
-      winnerswinner1_tag_output_column <= sums_tag_output_column;
-      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
-      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
+        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
+        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
+      winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
+        winnerswinner1_of_pair_0_10_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
+      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
+        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
+        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
+        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
+        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
+      winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 / 64) = 1)) when winnerswinner1_of_four_0_0_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
+        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
+        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
+        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
+        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
+      winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 / 64) = 1)) when winnerswinner1_of_four_0_4_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 64) = 1)));
+      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
+        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
+        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
+        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
+        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
+      winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_8_choice_6 else (not ((not
+        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
+      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_7 else sums_sum_0_0;
+      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_7 else 0;
+      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_7 else sums_sum_0_2;
+      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_7 else 0;
+      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_7 else sums_sum_0_4;
+      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_7 else 0;
+      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_7 else sums_sum_0_6;
+      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_7 else 0;
+      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_7 else sums_sum_0_8;
+      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_7 else 0;
+      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_7 else sums_sum_0_10;
+      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_7 else 0;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_7;
+      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_7 else 2;
+      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_7 else 4;
+      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_7 else 6;
+      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_7 else 8;
+      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_7 else 10;
+      winnerswinner1_pair_tag_valid <= sums_tag_valid;
+      winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
+      winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_0;
+      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_1;
+      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_7 else 0;
+      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
+      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_4;
+      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_5;
+      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_7 else 0;
+      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_7 else 0;
+      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_8;
+      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_9;
+      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_7 else 0;
+      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_7 else 0;
+      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_7 else
+        as_number(winnerswinner1_pair_index_0_0);
+      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_7 else
+        winnerswinner1_pair_index_0_2;
+      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_7 else
+        winnerswinner1_pair_index_0_4;
+      winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
+      winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
+      winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
+      winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
+      winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
+      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 7)))) or (to_unsigned(winnerswinner1_of_four_0_1, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_0, 7))));
+      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_7, 7)))) or (to_unsigned(winnerswinner1_of_four_0_5, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_4, 7))));
+      winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 7)) or
+        (to_unsigned(winnerswinner1_of_four_0_11, 7)))) or (to_unsigned(winnerswinner1_of_four_0_9, 7)))) or
+        (to_unsigned(winnerswinner1_of_four_0_8, 7))));
+      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
+      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
+      winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
+      winnerswinner1_tag_valid <= winnerswinner1_four_tag_valid;
+      winnerswinner1_tag_map_column <= winnerswinner1_four_tag_map_column;
+      winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
       -- winnerswinner2
-      winnerswinner2_best_index_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_0_choice_2 := winnerswinner2_best_index_0_0_choice when
-        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_1 mod 4) = 0);
-      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
-      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
-      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
-      winnerswinner2_best_index_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_best_index_0_0_choice_6 else
+      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
+        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
+        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
+      winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_of_pair_0_0_choice_6 else
         ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
-      winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice when
-        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_3 mod 4) = 0);
-      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
-        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
-      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
-        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
-      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
-        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
-      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
-        (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_choice_7 := ((winnerswinner1_best_cost_0_2 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 64) = 1)) when winnerswinner2_best_index_0_1_choice_6 else
-        ((winnerswinner1_best_cost_0_2 / 64) = 1) or (not ((winnerswinner1_best_cost_0_3 / 64) = 1));
-      winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_2_choice_2 := winnerswinner2_best_index_0_2_choice when
-        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_4 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_5 mod 4) = 0);
-      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
-        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
-      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
-        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
-      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
-        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
-      winnerswinner2_best_index_0_2_value_4 := ((winnerswinner1_best_cost_0_5 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
-        (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_choice_7 := ((winnerswinner1_best_cost_0_4 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 64) = 1)) when winnerswinner2_best_index_0_2_choice_6 else
-        ((winnerswinner1_best_cost_0_4 / 64) = 1) or (not ((winnerswinner1_best_cost_0_5 / 64) = 1));
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_7 else
-        as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_7 else
-        winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_7 else
-        winnerswinner1_best_index_0_4;
-      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
-      winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
-      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
-      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
-      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      -- winnerswinner3
-      winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when (winnerswinner2_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice when
-        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner2_best_cost_0_1 mod 4) = 0);
-      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
-        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
-      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
-        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
-      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
-        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
-      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
-        (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_choice_7 := ((winnerswinner2_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 64) = 1)) when winnerswinner3_best_index_0_0_choice_6 else
-        ((winnerswinner2_best_cost_0_0 / 64) = 1) or (not ((winnerswinner2_best_cost_0_1 / 64) = 1));
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_7 else
-        winnerswinner2_best_index_0_0;
-      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
-      winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
-      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
-      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
-      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
-      -- winnerswinner4
-      winnerswinner4_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when (winnerswinner3_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner4_best_index_0_0_choice_2 := winnerswinner4_best_index_0_0_choice when
-        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner3_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner3_best_cost_0_1 mod 4) = 0);
-      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
-        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
-      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
-        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
-      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
-        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
-      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner3_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
-        (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
-      winnerswinner4_best_index_0_0_choice_7 := ((winnerswinner3_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner3_best_cost_0_1 / 64) = 1)) when winnerswinner4_best_index_0_0_choice_6 else
-        ((winnerswinner3_best_cost_0_0 / 64) = 1) or (not ((winnerswinner3_best_cost_0_1 / 64) = 1));
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_7 else
-        winnerswinner3_best_index_0_0;
-      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
-      winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
-      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
-      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
-      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
+        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
+        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)) when
+        winnerswinner2_four_index_0_0_choice else winnerswinner2_four_index_0_0_value_3 or ((not
+        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
+        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1))) when
+        winnerswinner2_four_index_0_0_choice_2 else winnerswinner2_four_index_0_0_value_4 and (not
+        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
+        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)))
+        when winnerswinner2_four_index_0_0_choice_3 else winnerswinner2_four_index_0_0_value_5 and (not
+        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
+        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)))
+        when winnerswinner2_four_index_0_0_choice_4 else winnerswinner2_four_index_0_0_value_6 and (not
+        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+      winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
+        (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1)) when
+        winnerswinner2_four_index_0_0_choice_5 else (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
+        ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1);
+      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_7 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_7 else 0;
+      winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_7 else
+        winnerswinner1_best_index_0_0;
+      winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
+      winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
+      winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_6 else
+        winnerswinner2_pair_index_0_0;
+      winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
+      winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
+      winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
+      winnerswinner2_four_tag_start_of_frame <= winnerswinner2_pair_tag_start_of_frame;
+      winnerswinner2_four_tag_end_of_line <= winnerswinner2_pair_tag_end_of_line;
+      winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
+      winnerswinner2_tag_valid <= winnerswinner2_four_tag_valid;
+      winnerswinner2_tag_map_column <= winnerswinner2_four_tag_map_column;
+      winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
       -- winners
-      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
-      winners_best_tag_valid <= winnerswinner4_tag_valid;
-      winners_best_tag_map_column <= winnerswinner4_tag_map_column;
-      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
-      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
-      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner2_tag_valid;
+      winners_best_tag_map_column <= winnerswinner2_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_address_choice := 0 when turn_order_falls else 7;
@@ -2254,6 +2382,10 @@ begin
         sums_turn_comes_2 <= false;
         sums_turn_comes_3 <= false;
         sums_turn_comes_4 <= false;
+        sums_turn_comes_5 <= false;
+        sums_turn_comes_6 <= false;
+        sums_turn_comes_7 <= false;
+        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -2287,26 +2419,36 @@ begin
         sums_tags_held_4_start_of_frame <= false;
         sums_tags_held_4_end_of_line <= false;
         sums_tags_moved <= false;
+        winnerswinner1_pair_tag_valid <= false;
+        winnerswinner1_pair_tag_map_column <= false;
+        winnerswinner1_pair_tag_output_column <= false;
+        winnerswinner1_pair_tag_start_of_frame <= false;
+        winnerswinner1_pair_tag_end_of_line <= false;
+        winnerswinner1_four_tag_valid <= false;
+        winnerswinner1_four_tag_map_column <= false;
+        winnerswinner1_four_tag_output_column <= false;
+        winnerswinner1_four_tag_start_of_frame <= false;
+        winnerswinner1_four_tag_end_of_line <= false;
         winnerswinner1_tag_valid <= false;
         winnerswinner1_tag_map_column <= false;
         winnerswinner1_tag_output_column <= false;
         winnerswinner1_tag_start_of_frame <= false;
         winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_pair_tag_valid <= false;
+        winnerswinner2_pair_tag_map_column <= false;
+        winnerswinner2_pair_tag_output_column <= false;
+        winnerswinner2_pair_tag_start_of_frame <= false;
+        winnerswinner2_pair_tag_end_of_line <= false;
+        winnerswinner2_four_tag_valid <= false;
+        winnerswinner2_four_tag_map_column <= false;
+        winnerswinner2_four_tag_output_column <= false;
+        winnerswinner2_four_tag_start_of_frame <= false;
+        winnerswinner2_four_tag_end_of_line <= false;
         winnerswinner2_tag_valid <= false;
         winnerswinner2_tag_map_column <= false;
         winnerswinner2_tag_output_column <= false;
         winnerswinner2_tag_start_of_frame <= false;
         winnerswinner2_tag_end_of_line <= false;
-        winnerswinner3_tag_valid <= false;
-        winnerswinner3_tag_map_column <= false;
-        winnerswinner3_tag_output_column <= false;
-        winnerswinner3_tag_start_of_frame <= false;
-        winnerswinner3_tag_end_of_line <= false;
-        winnerswinner4_tag_valid <= false;
-        winnerswinner4_tag_map_column <= false;
-        winnerswinner4_tag_output_column <= false;
-        winnerswinner4_tag_start_of_frame <= false;
-        winnerswinner4_tag_end_of_line <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, semi global, configuration tiny_sgm_xsobel: 40x12, 12 disparities, window 2x2, P1 5, P2 22, 1 pixel pairs a clock.
+-- Stereo core, semi global, configuration tiny_sgm_xsobel: 40x12, 12 disparities, window 2x2, P1 5, P2 22, 1 pixel pair a clock.
 -- Options: disparities 12, window_px 2, cost sad, prefilter xsobel, cost_shift 3, cost_cap 20,
 --   slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
@@ -18,7 +18,7 @@ entity stereo_core_tiny_sgm_xsobel is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 31;
+    latency_clocks : positive := 34;
     flush_groups : positive := 125;
     gap_groups : natural := 0
   );
@@ -42,20 +42,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_sgm_xsobel: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_sgm_xsobel: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_sgm_xsobel: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 31 report "stereo_core_tiny_sgm_xsobel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 31" severity failure;
+  assert latency_clocks = 34 report "stereo_core_tiny_sgm_xsobel: latency_clocks is " & integer'image(latency_clocks) & " but this core has 34" severity failure;
   assert flush_groups = 125 report "stereo_core_tiny_sgm_xsobel: flush_groups is " & integer'image(flush_groups) & " but this core has 125" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_sgm_xsobel: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_sgm_xsobel is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -79,6 +71,12 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -105,12 +103,13 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal transform_ready_row_inside_2, transform_ready_column_inside_0, transform_ready_column_inside_2 : boolean;
   signal transform_ready_start_of_frame, transform_ready_valid, transform_columns_row_inside_0 : boolean;
   signal transform_columns_row_inside_2, transform_columns_column_inside_0, transform_columns_column_inside_2 : boolean;
-  signal transform_columns_start_of_frame, transform_columns_valid, transform_filtering_column_inside_0 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_columns_start_of_frame, transform_columns_valid, transform_left_filter_whole : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_2 : boolean;
+  signal transform_filtering_0_start_of_frame, transform_filtering_0_valid : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
+  signal transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
-  signal transform_write_column, transform_left_filter_feature_0 : natural range 0 to 63;
-  signal transform_right_filter_feature_0 : natural range 0 to 63;
+  signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
   signal transform_left_rows_read_words_0, transform_right_rows_read_words_0 : unsigned(15 downto 0);
   signal transform_left_rows_ready_words_0, transform_left_rows_write_words_0 : natural range 0 to 65535;
@@ -118,26 +117,29 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal transform_left_filter_column_0_0, transform_left_filter_column_1_0 : natural range 0 to 1020;
   signal transform_left_filter_column_2_0, transform_right_filter_column_0_0 : natural range 0 to 1020;
   signal transform_right_filter_column_1_0, transform_right_filter_column_2_0 : natural range 0 to 1020;
+  signal transform_left_filter_slope_0, transform_right_filter_slope_0 : integer range -1020 to 1020;
+  signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 127;
   -- raster
-  signal raster_features_search_0, raster_features_reference_0, raster_place_column : natural range 0 to 63;
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 127;
   signal raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
   signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
-  signal delay_ahead_0, delay_column : natural range 0 to 63;
-  signal delay_delayed_0 : unsigned(5 downto 0);
+  signal delay_ahead_0 : natural range 0 to 127;
+  signal delay_delayed_0 : unsigned(6 downto 0);
+  signal delay_column : natural range 0 to 63;
   signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_border_column : boolean;
   signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
   signal delay_tag_end_of_line : boolean;
   -- rows
-  signal rows_search_rows_read_words_0 : unsigned(5 downto 0);
-  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 63;
-  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_0 : natural range 0 to 63;
-  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_newest_0 : natural range 0 to 63;
-  signal rows_reference_rows_write_words_0, rows_read_column, rows_ready_column : natural range 0 to 63;
-  signal rows_write_column, rows_search_0, rows_search_1, rows_reference_1 : natural range 0 to 63;
-  signal rows_reference_rows_read_words_0 : unsigned(6 downto 0);
-  signal rows_reference_rows_ready_words_0, rows_reference_0 : natural range 0 to 127;
+  signal rows_search_rows_read_words_0, rows_reference_rows_read_words_0 : unsigned(6 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_0 : natural range 0 to 127;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_0 : natural range 0 to 127;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_0 : natural range 0 to 127;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_0, rows_search_0 : natural range 0 to 127;
+  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 127;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
   signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_border_column : boolean;
   signal rows_read_tag_first_cost, rows_read_tag_map_column, rows_read_tag_output_column : boolean;
   signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1 : boolean;
@@ -146,28 +148,26 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_border_column, rows_tag_first_cost : boolean;
   signal rows_tag_map_column, rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
   -- slice0shift
-  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 63;
-  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 63;
-  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 63;
-  signal slice0shift_search_1_4, slice0shift_reference_1, slice0shift_search_out_0 : natural range 0 to 63;
-  signal slice0shift_search_out_1 : natural range 0 to 63;
-  signal slice0shift_reference_0 : natural range 0 to 127;
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 127;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_1_0 : natural range 0 to 127;
+  signal slice0shift_search_1_1, slice0shift_search_1_2, slice0shift_search_1_3 : natural range 0 to 127;
+  signal slice0shift_search_1_4, slice0shift_reference_0, slice0shift_reference_1 : natural range 0 to 127;
+  signal slice0shift_search_out_0, slice0shift_search_out_1 : natural range 0 to 127;
   signal slice0shift_tag_valid, slice0shift_tag_border_column, slice0shift_tag_first_cost : boolean;
   signal slice0shift_tag_map_column, slice0shift_tag_output_column, slice0shift_tag_start_of_frame : boolean;
   signal slice0shift_tag_end_of_line : boolean;
   -- slice0cost
-  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -127 to 63;
-  signal slice0cost_difference_0_3, slice0cost_difference_0_4 : integer range -127 to 63;
-  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -63 to 63;
-  signal slice0cost_difference_1_3, slice0cost_difference_1_4 : integer range -63 to 63;
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -127 to 127;
+  signal slice0cost_difference_0_3, slice0cost_difference_0_4, slice0cost_difference_1_0 : integer range -127 to 127;
+  signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -127 to 127;
+  signal slice0cost_difference_1_4 : integer range -127 to 127;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
-  signal slice0cost_difference_tag_end_of_line, slice0cost_negative_0_0, slice0cost_negative_0_1 : boolean;
-  signal slice0cost_negative_0_2, slice0cost_negative_0_3, slice0cost_negative_0_4, slice0cost_negative_1_0 : boolean;
-  signal slice0cost_negative_1_1, slice0cost_negative_1_2, slice0cost_negative_1_3, slice0cost_negative_1_4 : boolean;
-  signal slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost : boolean;
-  signal slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
+  signal slice0cost_difference_tag_end_of_line, slice0cost_single_negative_0_0 : boolean;
+  signal slice0cost_single_negative_0_1, slice0cost_single_negative_0_2, slice0cost_single_negative_0_3 : boolean;
+  signal slice0cost_single_negative_0_4, slice0cost_pair_tag_valid, slice0cost_pair_tag_border_column : boolean;
+  signal slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column : boolean;
   signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
   signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
   signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
@@ -194,25 +194,23 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal slice0_tag_1_end_of_line, slice0_tag_2_valid, slice0_tag_2_map_column, slice0_tag_2_output_column : boolean;
   signal slice0_tag_2_first_column, slice0_tag_2_start_of_frame, slice0_tag_2_end_of_line : boolean;
   -- slice1shift
-  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 63;
-  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 63;
-  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 63;
-  signal slice1shift_search_1_4, slice1shift_reference_1, slice1shift_search_out_0 : natural range 0 to 63;
-  signal slice1shift_search_out_1 : natural range 0 to 63;
-  signal slice1shift_reference_0 : natural range 0 to 127;
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 127;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_1_0 : natural range 0 to 127;
+  signal slice1shift_search_1_1, slice1shift_search_1_2, slice1shift_search_1_3 : natural range 0 to 127;
+  signal slice1shift_search_1_4, slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 127;
+  signal slice1shift_search_out_0, slice1shift_search_out_1 : natural range 0 to 127;
   -- slice1cost
-  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 63;
-  signal slice1cost_difference_0_3, slice1cost_difference_0_4 : integer range -127 to 63;
-  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -63 to 63;
-  signal slice1cost_difference_1_3, slice1cost_difference_1_4 : integer range -63 to 63;
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -127 to 127;
+  signal slice1cost_difference_0_3, slice1cost_difference_0_4, slice1cost_difference_1_0 : integer range -127 to 127;
+  signal slice1cost_difference_1_1, slice1cost_difference_1_2, slice1cost_difference_1_3 : integer range -127 to 127;
+  signal slice1cost_difference_1_4 : integer range -127 to 127;
   signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
   signal slice1cost_single_0_3, slice1cost_single_0_4, slice1cost_single_1_0 : natural range 0 to 255;
   signal slice1cost_single_1_1, slice1cost_single_1_2, slice1cost_single_1_3 : natural range 0 to 255;
   signal slice1cost_single_1_4, slice1cost_column_0_0, slice1cost_column_0_1 : natural range 0 to 255;
   signal slice1cost_column_0_2, slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 255;
-  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
-  signal slice1cost_negative_0_4, slice1cost_negative_1_0, slice1cost_negative_1_1, slice1cost_negative_1_2 : boolean;
-  signal slice1cost_negative_1_3, slice1cost_negative_1_4, slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_negative_0_0, slice1cost_single_negative_0_1, slice1cost_single_negative_0_2 : boolean;
+  signal slice1cost_single_negative_0_3, slice1cost_single_negative_0_4, slice1cost_tag_border_column : boolean;
   -- slice1window
   signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 255;
   signal slice1window_partial_0_0_3, slice1window_partial_0_0_4, slice1window_sum_0_0 : natural range 0 to 255;
@@ -222,15 +220,14 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 31;
   signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 31;
   -- slice2shift
-  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 63;
-  signal slice2shift_search_1_1, slice2shift_reference_1 : natural range 0 to 63;
-  signal slice2shift_reference_0 : natural range 0 to 127;
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 127;
+  signal slice2shift_search_1_1, slice2shift_reference_0, slice2shift_reference_1 : natural range 0 to 127;
   -- slice2cost
-  signal slice2cost_difference_0_0, slice2cost_difference_0_1 : integer range -127 to 63;
-  signal slice2cost_difference_1_0, slice2cost_difference_1_1 : integer range -63 to 63;
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -127 to 127;
+  signal slice2cost_difference_1_1 : integer range -127 to 127;
   signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_1_0 : natural range 0 to 255;
   signal slice2cost_single_1_1, slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 255;
-  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
+  signal slice2cost_single_negative_0_0, slice2cost_single_negative_0_1 : boolean;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1, slice2window_sum_0_0 : natural range 0 to 255;
   signal slice2window_sum_0_1 : natural range 0 to 255;
@@ -278,8 +275,8 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal forward_cost_2_10, forward_cost_2_11, forward_cost_3_0, forward_cost_3_1 : natural range 0 to 31;
   signal forward_cost_3_2, forward_cost_3_3, forward_cost_3_4, forward_cost_3_5 : natural range 0 to 31;
   signal forward_cost_3_6, forward_cost_3_7, forward_cost_3_8, forward_cost_3_9 : natural range 0 to 31;
-  signal forward_cost_3_10, forward_cost_3_11, forward_smallest_cost_1, forward_smallest_cost_2 : natural range 0 to 31;
-  signal forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 31;
+  signal forward_cost_3_10, forward_cost_3_11, forward_smallest_cost_0, forward_smallest_cost_1 : natural range 0 to 31;
+  signal forward_smallest_cost_2, forward_smallest_cost_3, forward_smallest_cost_4 : natural range 0 to 31;
   signal forward_cost_delay_ring_read_address, forward_cost_delay_ring_write_address : natural range 0 to 7;
   signal forward_above_delay_ring_read_address, forward_above_delay_ring_write_address : natural range 0 to 7;
   signal forward_cost_delay_held_0, forward_cost_delay_held_1, forward_above_delay_held_0 : unsigned(29 downto 0);
@@ -363,8 +360,9 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 31;
   signal sums_right_room, sums_right_smallest : natural range 0 to 31;
   signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
-  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
+  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
+  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
   signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
   signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
   signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
@@ -398,34 +396,43 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal sums_sum_0_0, sums_sum_0_1, sums_sum_0_2, sums_sum_0_3, sums_sum_0_4, sums_sum_0_5 : natural range 0 to 254;
   signal sums_sum_0_6, sums_sum_0_7, sums_sum_0_8, sums_sum_0_9, sums_sum_0_10, sums_sum_0_11 : natural range 0 to 254;
   -- winnerswinner1
-  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner1_best_cost_0_2, winnerswinner1_best_cost_0_3 : natural range 0 to 254;
-  signal winnerswinner1_best_cost_0_4, winnerswinner1_best_cost_0_5 : natural range 0 to 254;
-  signal winnerswinner1_best_index_0_0, winnerswinner1_tag_valid, winnerswinner1_tag_map_column : boolean;
-  signal winnerswinner1_tag_output_column, winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
-  signal winnerswinner1_best_index_0_1 : natural range 0 to 3;
-  signal winnerswinner1_best_index_0_2 : natural range 0 to 5;
-  signal winnerswinner1_best_index_0_3 : natural range 0 to 7;
-  signal winnerswinner1_best_index_0_4 : natural range 0 to 9;
-  signal winnerswinner1_best_index_0_5 : natural range 0 to 11;
+  signal winnerswinner1_of_pair_0_0, winnerswinner1_of_pair_0_1, winnerswinner1_of_pair_0_2 : natural range 0 to 254;
+  signal winnerswinner1_of_pair_0_3, winnerswinner1_of_pair_0_4, winnerswinner1_of_pair_0_5 : natural range 0 to 254;
+  signal winnerswinner1_of_pair_0_6, winnerswinner1_of_pair_0_7, winnerswinner1_of_pair_0_8 : natural range 0 to 254;
+  signal winnerswinner1_of_pair_0_9, winnerswinner1_of_pair_0_10, winnerswinner1_of_pair_0_11 : natural range 0 to 254;
+  signal winnerswinner1_of_four_0_0, winnerswinner1_of_four_0_1, winnerswinner1_of_four_0_2 : natural range 0 to 254;
+  signal winnerswinner1_of_four_0_3, winnerswinner1_of_four_0_4, winnerswinner1_of_four_0_5 : natural range 0 to 254;
+  signal winnerswinner1_of_four_0_6, winnerswinner1_of_four_0_7, winnerswinner1_of_four_0_8 : natural range 0 to 254;
+  signal winnerswinner1_of_four_0_9, winnerswinner1_of_four_0_10, winnerswinner1_of_four_0_11 : natural range 0 to 254;
+  signal winnerswinner1_pair_index_0_0, winnerswinner1_pair_tag_valid, winnerswinner1_pair_tag_map_column : boolean;
+  signal winnerswinner1_pair_tag_output_column, winnerswinner1_pair_tag_start_of_frame : boolean;
+  signal winnerswinner1_pair_tag_end_of_line, winnerswinner1_four_tag_valid : boolean;
+  signal winnerswinner1_four_tag_map_column, winnerswinner1_four_tag_output_column : boolean;
+  signal winnerswinner1_four_tag_start_of_frame, winnerswinner1_four_tag_end_of_line : boolean;
+  signal winnerswinner1_tag_valid, winnerswinner1_tag_map_column, winnerswinner1_tag_output_column : boolean;
+  signal winnerswinner1_tag_start_of_frame, winnerswinner1_tag_end_of_line : boolean;
+  signal winnerswinner1_pair_index_0_1, winnerswinner1_four_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_best_index_0_0 : natural range 0 to 3;
+  signal winnerswinner1_pair_index_0_2 : natural range 0 to 5;
+  signal winnerswinner1_pair_index_0_3, winnerswinner1_four_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_best_index_0_1 : natural range 0 to 7;
+  signal winnerswinner1_pair_index_0_4 : natural range 0 to 9;
+  signal winnerswinner1_pair_index_0_5, winnerswinner1_four_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner1_best_cost_0_0, winnerswinner1_best_cost_0_1 : natural range 0 to 255;
+  signal winnerswinner1_best_cost_0_2 : natural range 0 to 255;
   -- winnerswinner2
-  signal winnerswinner2_best_cost_0_0, winnerswinner2_best_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner2_best_cost_0_2 : natural range 0 to 254;
-  signal winnerswinner2_best_index_0_0 : natural range 0 to 3;
-  signal winnerswinner2_best_index_0_1 : natural range 0 to 7;
-  signal winnerswinner2_best_index_0_2 : natural range 0 to 11;
+  signal winnerswinner2_of_pair_0_0, winnerswinner2_of_pair_0_1, winnerswinner2_of_pair_0_2 : natural range 0 to 255;
+  signal winnerswinner2_pair_index_0_0 : natural range 0 to 7;
+  signal winnerswinner2_pair_index_0_1, winnerswinner2_four_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_best_index_0_0 : natural range 0 to 11;
+  signal winnerswinner2_pair_tag_valid, winnerswinner2_pair_tag_map_column : boolean;
+  signal winnerswinner2_pair_tag_output_column, winnerswinner2_pair_tag_start_of_frame : boolean;
+  signal winnerswinner2_pair_tag_end_of_line, winnerswinner2_four_tag_valid : boolean;
+  signal winnerswinner2_four_tag_map_column, winnerswinner2_four_tag_output_column : boolean;
+  signal winnerswinner2_four_tag_start_of_frame, winnerswinner2_four_tag_end_of_line : boolean;
   signal winnerswinner2_tag_valid, winnerswinner2_tag_map_column, winnerswinner2_tag_output_column : boolean;
   signal winnerswinner2_tag_start_of_frame, winnerswinner2_tag_end_of_line : boolean;
-  -- winnerswinner3
-  signal winnerswinner3_best_cost_0_0, winnerswinner3_best_cost_0_1 : natural range 0 to 254;
-  signal winnerswinner3_best_index_0_0 : natural range 0 to 7;
-  signal winnerswinner3_best_index_0_1 : natural range 0 to 11;
-  signal winnerswinner3_tag_valid, winnerswinner3_tag_map_column, winnerswinner3_tag_output_column : boolean;
-  signal winnerswinner3_tag_start_of_frame, winnerswinner3_tag_end_of_line : boolean;
-  -- winnerswinner4
-  signal winnerswinner4_best_index_0_0 : natural range 0 to 11;
-  signal winnerswinner4_tag_valid, winnerswinner4_tag_map_column, winnerswinner4_tag_output_column : boolean;
-  signal winnerswinner4_tag_start_of_frame, winnerswinner4_tag_end_of_line : boolean;
   -- winners
   signal winners_best_index_0_0 : natural range 0 to 11;
   signal winners_best_tag_valid, winners_best_tag_map_column, winners_best_tag_output_column : boolean;
@@ -457,9 +464,9 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(29 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(29 downto 0);
-  signal rows_search_rows_read_words_0_memory_write_data : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(6 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(6 downto 0);
-  signal delay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
@@ -603,9 +610,9 @@ begin
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
       write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
-  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 6);
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 7);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 6)
+    generic map (depth => 40, width => 7)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_search_rows_read_words_0,
@@ -619,9 +626,9 @@ begin
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
-  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 6);
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 6)
+    generic map (depth => 12, width => 7)
     port map (
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
@@ -654,109 +661,162 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_counter_group_choice_2, transform_read_column_inside_2_choice : boolean;
-    variable transform_left_filter_feature_0_all, transform_left_filter_feature_0_is_less : boolean;
-    variable transform_right_filter_feature_0_is_less, transform_counter_next_frame_choice : boolean;
+    variable transform_counter_group_choice_2, transform_counter_next_frame_choice : boolean;
     variable transform_counter_next_frame_choice_2, transform_left_filter_column_0_0_choice_3 : boolean;
     variable transform_right_filter_column_0_0_choice_3, raster_place_group_is_equal, delay_row_inside_1_any : boolean;
-    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_less, slice0cost_single_0_0_is_less : boolean;
-    variable slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less, slice0cost_single_0_3_is_less : boolean;
-    variable slice0cost_single_0_4_is_less, slice0cost_single_1_0_is_less, slice0cost_single_1_1_is_less : boolean;
-    variable slice0cost_single_1_2_is_less, slice0cost_single_1_3_is_less, slice0cost_single_1_4_is_less : boolean;
-    variable slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less, slice1cost_single_0_2_is_less : boolean;
-    variable slice1cost_single_0_3_is_less, slice1cost_single_0_4_is_less, slice1cost_single_1_0_is_less : boolean;
-    variable slice1cost_single_1_1_is_less, slice1cost_single_1_2_is_less, slice1cost_single_1_3_is_less : boolean;
-    variable slice1cost_single_1_4_is_less, slice2cost_single_0_0_is_less, slice2cost_single_0_1_is_less : boolean;
-    variable slice2cost_single_1_0_is_less, slice2cost_single_1_1_is_less, entry_order_address_all : boolean;
-    variable entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_single_0_0_is_less, slice0cost_single_0_1_is_less, slice0cost_single_0_2_is_less : boolean;
+    variable slice0cost_single_0_3_is_less, slice0cost_single_0_4_is_less, slice0cost_single_1_0_is_less : boolean;
+    variable slice0cost_single_1_1_is_less, slice0cost_single_1_2_is_less, slice0cost_single_1_3_is_less : boolean;
+    variable slice0cost_single_1_4_is_less, slice1cost_single_0_0_is_less, slice1cost_single_0_1_is_less : boolean;
+    variable slice1cost_single_0_2_is_less, slice1cost_single_0_3_is_less, slice1cost_single_0_4_is_less : boolean;
+    variable slice1cost_single_1_0_is_less, slice1cost_single_1_1_is_less, slice1cost_single_1_2_is_less : boolean;
+    variable slice1cost_single_1_3_is_less, slice1cost_single_1_4_is_less, slice2cost_single_0_0_is_less : boolean;
+    variable slice2cost_single_0_1_is_less, slice2cost_single_1_0_is_less, slice2cost_single_1_1_is_less : boolean;
+    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_0_value_5, winnerswinner1_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_value_5, winnerswinner1_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_8, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value : boolean;
-    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_2 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_3 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_4 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_value_5 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_2_choice_8 : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_value_5, winnerswinner1_best_index_0_3_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_8, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value : boolean;
-    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_2 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_3 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_4 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_value_5 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_4_choice_8 : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_value_5, winnerswinner1_best_index_0_5_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_8, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_value_5 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_0_choice_8 : boolean;
-    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_value_5, winnerswinner2_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_8, winnerswinner2_best_index_0_2_choice : boolean;
-    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
-    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_value_5 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_index_0_2_choice_8 : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_value_5, winnerswinner3_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_8, winnerswinner4_best_index_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
-    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_value_5 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_index_0_0_choice_8 : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
-    variable turn_order_turned_output_column_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_5, winnerswinner1_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_8, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_2_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_5, winnerswinner1_of_pair_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_8, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_6_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_5, winnerswinner1_of_pair_0_8_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_8, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_pair_0_10_choice_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_value_11, winnerswinner1_of_four_0_0_value_12 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_0_choice_8 : boolean;
+    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
+    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
+    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_4_value_11, winnerswinner1_of_four_0_4_value_12 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_4_choice_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_value_11, winnerswinner1_of_four_0_8_value_12 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner1_of_four_0_8_choice_8 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_5, winnerswinner2_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_8, winnerswinner2_four_index_0_0_value : boolean;
+    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
+    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_7, turn_order_address_all, turn_order_address_all_2 : boolean;
+    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 15;
-    variable transform_left_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_difference : integer range -1020 to 1020;
-    variable transform_right_filter_feature_0_choice : integer range -1020 to 1020;
-    variable transform_left_filter_feature_0_choice_2, transform_left_filter_feature_0_choice_3 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_2 : natural range 0 to 63;
-    variable transform_right_filter_feature_0_choice_3 : natural range 0 to 63;
+    variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice : natural range 0 to 127;
+    variable transform_right_filter_feature_0_choice_2, forward_left_pair_0_choice : natural range 0 to 127;
+    variable forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 127;
+    variable forward_left_pair_3_choice, forward_left_pair_4_choice : natural range 0 to 127;
+    variable forward_left_pair_5_choice, forward_left_cost_0_choice : natural range 0 to 127;
+    variable forward_left_cost_0_choice_2, forward_left_cost_1_choice : natural range 0 to 127;
+    variable forward_left_cost_1_choice_2, forward_left_cost_2_choice : natural range 0 to 127;
+    variable forward_left_cost_2_choice_2, forward_left_cost_3_choice : natural range 0 to 127;
+    variable forward_left_cost_3_choice_2, forward_left_cost_4_choice : natural range 0 to 127;
+    variable forward_left_cost_4_choice_2, forward_left_cost_5_choice : natural range 0 to 127;
+    variable forward_left_cost_5_choice_2, forward_left_cost_6_choice : natural range 0 to 127;
+    variable forward_left_cost_6_choice_2, forward_left_cost_7_choice : natural range 0 to 127;
+    variable forward_left_cost_7_choice_2, forward_left_cost_8_choice : natural range 0 to 127;
+    variable forward_left_cost_8_choice_2, forward_left_cost_9_choice : natural range 0 to 127;
+    variable forward_left_cost_9_choice_2, forward_left_cost_10_choice : natural range 0 to 127;
+    variable forward_left_cost_10_choice_2, forward_left_cost_11_choice : natural range 0 to 127;
+    variable forward_left_cost_11_choice_2, forward_left_arrived_0_choice : natural range 0 to 127;
+    variable forward_left_arrived_1_choice, forward_left_arrived_2_choice : natural range 0 to 127;
+    variable forward_left_arrived_3_choice, forward_left_arrived_3_choice_2 : natural range 0 to 127;
+    variable forward_left_arrived_4_choice, forward_left_arrived_4_choice_2 : natural range 0 to 127;
+    variable forward_left_arrived_5_choice, forward_left_arrived_6_choice : natural range 0 to 127;
+    variable forward_left_arrived_7_choice, forward_left_arrived_7_choice_2 : natural range 0 to 127;
+    variable forward_left_arrived_8_choice, forward_left_arrived_8_choice_2 : natural range 0 to 127;
+    variable forward_left_arrived_9_choice, forward_left_arrived_10_choice : natural range 0 to 127;
+    variable forward_left_arrived_11_choice, sums_right_pair_0_choice : natural range 0 to 127;
+    variable sums_right_pair_1_choice, sums_right_pair_2_choice, sums_right_pair_3_choice : natural range 0 to 127;
+    variable sums_right_pair_4_choice, sums_right_pair_5_choice, sums_right_cost_0_choice : natural range 0 to 127;
+    variable sums_right_cost_0_choice_2, sums_right_cost_1_choice, sums_right_cost_1_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_2_choice, sums_right_cost_2_choice_2, sums_right_cost_3_choice : natural range 0 to 127;
+    variable sums_right_cost_3_choice_2, sums_right_cost_4_choice, sums_right_cost_4_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_5_choice, sums_right_cost_5_choice_2, sums_right_cost_6_choice : natural range 0 to 127;
+    variable sums_right_cost_6_choice_2, sums_right_cost_7_choice, sums_right_cost_7_choice_2 : natural range 0 to 127;
+    variable sums_right_cost_8_choice, sums_right_cost_8_choice_2, sums_right_cost_9_choice : natural range 0 to 127;
+    variable sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
+    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
+    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
+    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
+    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
+    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
+    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
+    variable sums_right_arrived_11_choice : natural range 0 to 127;
     variable transform_left_filter_column_0_0_choice : natural range 0 to 255;
     variable transform_left_filter_column_0_0_choice_2 : natural range 0 to 255;
     variable transform_right_filter_column_0_0_choice : natural range 0 to 255;
-    variable transform_right_filter_column_0_0_choice_2, forward_left_start_cost_0_choice : natural range 0 to 255;
+    variable transform_right_filter_column_0_0_choice_2, slice0cost_single_1_0_choice : natural range 0 to 255;
+    variable slice0cost_single_1_1_choice, slice0cost_single_1_2_choice : natural range 0 to 255;
+    variable slice0cost_single_1_3_choice, slice0cost_single_1_4_choice : natural range 0 to 255;
+    variable slice1cost_single_1_0_choice, slice1cost_single_1_1_choice : natural range 0 to 255;
+    variable slice1cost_single_1_2_choice, slice1cost_single_1_3_choice : natural range 0 to 255;
+    variable slice1cost_single_1_4_choice, slice2cost_single_1_0_choice : natural range 0 to 255;
+    variable slice2cost_single_1_1_choice, forward_left_start_cost_0_choice : natural range 0 to 255;
     variable forward_left_start_cost_0_choice_2, sums_right_start_cost_0_choice : natural range 0 to 255;
     variable sums_right_start_cost_0_choice_2 : natural range 0 to 255;
     variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
@@ -769,48 +829,6 @@ begin
     variable forward_above_total_8_choice, forward_above_total_9_choice : natural range 0 to 31;
     variable forward_above_total_10_choice, forward_above_total_11_choice : natural range 0 to 31;
     variable sums_right_room_choice, sums_right_room_choice_2, turn_order_address_choice_3 : natural range 0 to 31;
-    variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
-    variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
-    variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
-    variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_1_choice, forward_left_cost_1_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_2_choice, forward_left_cost_2_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_3_choice, forward_left_cost_3_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_4_choice, forward_left_cost_4_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_5_choice, forward_left_cost_5_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_6_choice, forward_left_cost_6_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_7_choice, forward_left_cost_7_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_8_choice, forward_left_cost_8_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_9_choice, forward_left_cost_9_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_10_choice, forward_left_cost_10_choice_2 : natural range 0 to 127;
-    variable forward_left_cost_11_choice, forward_left_cost_11_choice_2 : natural range 0 to 127;
-    variable forward_left_arrived_0_choice, forward_left_arrived_1_choice : natural range 0 to 127;
-    variable forward_left_arrived_2_choice, forward_left_arrived_3_choice : natural range 0 to 127;
-    variable forward_left_arrived_3_choice_2, forward_left_arrived_4_choice : natural range 0 to 127;
-    variable forward_left_arrived_4_choice_2, forward_left_arrived_5_choice : natural range 0 to 127;
-    variable forward_left_arrived_6_choice, forward_left_arrived_7_choice : natural range 0 to 127;
-    variable forward_left_arrived_7_choice_2, forward_left_arrived_8_choice : natural range 0 to 127;
-    variable forward_left_arrived_8_choice_2, forward_left_arrived_9_choice : natural range 0 to 127;
-    variable forward_left_arrived_10_choice, forward_left_arrived_11_choice : natural range 0 to 127;
-    variable sums_right_pair_0_choice, sums_right_pair_1_choice, sums_right_pair_2_choice : natural range 0 to 127;
-    variable sums_right_pair_3_choice, sums_right_pair_4_choice, sums_right_pair_5_choice : natural range 0 to 127;
-    variable sums_right_cost_0_choice, sums_right_cost_0_choice_2, sums_right_cost_1_choice : natural range 0 to 127;
-    variable sums_right_cost_1_choice_2, sums_right_cost_2_choice, sums_right_cost_2_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_3_choice, sums_right_cost_3_choice_2, sums_right_cost_4_choice : natural range 0 to 127;
-    variable sums_right_cost_4_choice_2, sums_right_cost_5_choice, sums_right_cost_5_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_6_choice, sums_right_cost_6_choice_2, sums_right_cost_7_choice : natural range 0 to 127;
-    variable sums_right_cost_7_choice_2, sums_right_cost_8_choice, sums_right_cost_8_choice_2 : natural range 0 to 127;
-    variable sums_right_cost_9_choice, sums_right_cost_9_choice_2, sums_right_cost_10_choice : natural range 0 to 127;
-    variable sums_right_cost_10_choice_2, sums_right_cost_11_choice : natural range 0 to 127;
-    variable sums_right_cost_11_choice_2, sums_right_arrived_0_choice : natural range 0 to 127;
-    variable sums_right_arrived_1_choice, sums_right_arrived_2_choice : natural range 0 to 127;
-    variable sums_right_arrived_3_choice, sums_right_arrived_3_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_4_choice, sums_right_arrived_4_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_5_choice, sums_right_arrived_6_choice : natural range 0 to 127;
-    variable sums_right_arrived_7_choice, sums_right_arrived_7_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_8_choice, sums_right_arrived_8_choice_2 : natural range 0 to 127;
-    variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 127;
-    variable sums_right_arrived_11_choice : natural range 0 to 127;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 68;
@@ -832,27 +850,14 @@ begin
         (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
         transform_counter_group;
-      transform_read_column_inside_2_choice := not ((transform_counter_column / 32) = 1) when transform_counter_column
-        = 0 else (transform_counter_column / 32) = 1;
-      transform_left_filter_feature_0_all := transform_filtering_column_inside_2 and
-        transform_filtering_column_inside_0;
-      transform_left_filter_feature_0_difference := transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
-      transform_left_filter_feature_0_is_less := transform_left_filter_feature_0_difference < (-31);
-      transform_left_filter_feature_0_choice := -31 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference;
-      transform_left_filter_feature_0_choice_2 := 33 when transform_left_filter_feature_0_is_less else
-        transform_left_filter_feature_0_difference mod 64;
-      transform_left_filter_feature_0_choice_3 := transform_left_filter_feature_0_choice_2 when
-        transform_left_filter_feature_0_choice < 31 else 31;
-      transform_right_filter_feature_0_difference := transform_right_filter_column_0_0 -
-        transform_right_filter_column_2_0;
-      transform_right_filter_feature_0_is_less := transform_right_filter_feature_0_difference < (-31);
-      transform_right_filter_feature_0_choice := -31 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference;
-      transform_right_filter_feature_0_choice_2 := 33 when transform_right_filter_feature_0_is_less else
-        transform_right_filter_feature_0_difference mod 64;
-      transform_right_filter_feature_0_choice_3 := transform_right_filter_feature_0_choice_2 when
-        transform_right_filter_feature_0_choice < 31 else 31;
+      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
+        (transform_left_filter_slope_0 + 31) mod 128;
+      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
+        transform_left_filter_feature_0_choice;
+      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
+        (transform_right_filter_slope_0 + 31) mod 128;
+      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
+        transform_right_filter_feature_0_choice;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
@@ -871,8 +876,8 @@ begin
         mod 2) = 1));
       transform_read_column_inside_0 <= ((transform_counter_column / 4) /= 0) or (((transform_counter_column / 2) mod
         2) = 1) or ((transform_counter_column mod 2) = 1);
-      transform_read_column_inside_2 <= transform_read_column_inside_2_choice when ((transform_counter_column / 2) mod
-        16) = 0 else transform_counter_column /= 0;
+      transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1) when
+        ((transform_counter_column / 2) mod 16) = 0 else transform_counter_column /= 0;
       transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -894,16 +899,21 @@ begin
       transform_columns_column_inside_2 <= transform_ready_column_inside_2;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (transform_left_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_right_filter_feature_0 <= (transform_right_filter_feature_0_choice_3 + 31) mod 64 when
-        transform_left_filter_feature_0_all else 31;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
+      transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
+      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
+        31;
+      transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
+      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
+        else 31;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
       transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
         when transform_counter_group_is_equal else transform_counter_next_frame;
       transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
@@ -950,12 +960,12 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_start_of_frame and transform_filtered_valid else
+      raster_features_valid <= transform_filtering_2_valid;
+      raster_place_group <= 0 when transform_filtering_2_start_of_frame and transform_filtering_2_valid else
         (raster_place_group + as_number(((raster_place_group /= 12) and raster_place_group_is_equal and
-        transform_filtered_valid))) mod 16;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+        transform_filtering_2_valid))) mod 16;
+      if transform_filtering_2_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
@@ -965,17 +975,19 @@ begin
       end if;
       delay_row_inside_1_any := (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_0 <= (raster_place_group >= 1) and (raster_place_group < 13);
       delay_row_inside_1 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_tag_map_column_is_less and delay_row_inside_1_any;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+        delay_row_inside_1_any;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -1052,10 +1064,35 @@ begin
       slice0cost_single_0_3_is_less := slice0cost_difference_0_3 < 0;
       slice0cost_single_0_4_is_less := slice0cost_difference_0_4 < 0;
       slice0cost_single_1_0_is_less := slice0cost_difference_1_0 < 0;
+      if slice0cost_single_1_0_is_less then
+        slice0cost_single_1_0_choice := (65535 - slice0cost_difference_1_0) mod 256;
+      else
+        slice0cost_single_1_0_choice := positive_part(slice0cost_difference_1_0);
+      end if;
       slice0cost_single_1_1_is_less := slice0cost_difference_1_1 < 0;
+      if slice0cost_single_1_1_is_less then
+        slice0cost_single_1_1_choice := (65535 - slice0cost_difference_1_1) mod 256;
+      else
+        slice0cost_single_1_1_choice := positive_part(slice0cost_difference_1_1);
+      end if;
       slice0cost_single_1_2_is_less := slice0cost_difference_1_2 < 0;
+      if slice0cost_single_1_2_is_less then
+        slice0cost_single_1_2_choice := (65535 - slice0cost_difference_1_2) mod 256;
+      else
+        slice0cost_single_1_2_choice := positive_part(slice0cost_difference_1_2);
+      end if;
       slice0cost_single_1_3_is_less := slice0cost_difference_1_3 < 0;
+      if slice0cost_single_1_3_is_less then
+        slice0cost_single_1_3_choice := (65535 - slice0cost_difference_1_3) mod 256;
+      else
+        slice0cost_single_1_3_choice := positive_part(slice0cost_difference_1_3);
+      end if;
       slice0cost_single_1_4_is_less := slice0cost_difference_1_4 < 0;
+      if slice0cost_single_1_4_is_less then
+        slice0cost_single_1_4_choice := (65535 - slice0cost_difference_1_4) mod 256;
+      else
+        slice0cost_single_1_4_choice := positive_part(slice0cost_difference_1_4);
+      end if;
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1083,26 +1120,16 @@ begin
         positive_part(slice0cost_difference_0_3);
       slice0cost_single_0_4 <= (65535 - slice0cost_difference_0_4) mod 256 when slice0cost_single_0_4_is_less else
         positive_part(slice0cost_difference_0_4);
-      slice0cost_single_1_0 <= (65535 - slice0cost_difference_1_0) mod 256 when slice0cost_single_1_0_is_less else
-        positive_part(slice0cost_difference_1_0);
-      slice0cost_single_1_1 <= (65535 - slice0cost_difference_1_1) mod 256 when slice0cost_single_1_1_is_less else
-        positive_part(slice0cost_difference_1_1);
-      slice0cost_single_1_2 <= (65535 - slice0cost_difference_1_2) mod 256 when slice0cost_single_1_2_is_less else
-        positive_part(slice0cost_difference_1_2);
-      slice0cost_single_1_3 <= (65535 - slice0cost_difference_1_3) mod 256 when slice0cost_single_1_3_is_less else
-        positive_part(slice0cost_difference_1_3);
-      slice0cost_single_1_4 <= (65535 - slice0cost_difference_1_4) mod 256 when slice0cost_single_1_4_is_less else
-        positive_part(slice0cost_difference_1_4);
-      slice0cost_negative_0_0 <= slice0cost_single_0_0_is_less;
-      slice0cost_negative_0_1 <= slice0cost_single_0_1_is_less;
-      slice0cost_negative_0_2 <= slice0cost_single_0_2_is_less;
-      slice0cost_negative_0_3 <= slice0cost_single_0_3_is_less;
-      slice0cost_negative_0_4 <= slice0cost_single_0_4_is_less;
-      slice0cost_negative_1_0 <= slice0cost_single_1_0_is_less;
-      slice0cost_negative_1_1 <= slice0cost_single_1_1_is_less;
-      slice0cost_negative_1_2 <= slice0cost_single_1_2_is_less;
-      slice0cost_negative_1_3 <= slice0cost_single_1_3_is_less;
-      slice0cost_negative_1_4 <= slice0cost_single_1_4_is_less;
+      slice0cost_single_1_0 <= (slice0cost_single_1_0_choice + as_number(slice0cost_single_1_0_is_less)) mod 256;
+      slice0cost_single_1_1 <= (slice0cost_single_1_1_choice + as_number(slice0cost_single_1_1_is_less)) mod 256;
+      slice0cost_single_1_2 <= (slice0cost_single_1_2_choice + as_number(slice0cost_single_1_2_is_less)) mod 256;
+      slice0cost_single_1_3 <= (slice0cost_single_1_3_choice + as_number(slice0cost_single_1_3_is_less)) mod 256;
+      slice0cost_single_1_4 <= (slice0cost_single_1_4_choice + as_number(slice0cost_single_1_4_is_less)) mod 256;
+      slice0cost_single_negative_0_0 <= slice0cost_single_0_0_is_less;
+      slice0cost_single_negative_0_1 <= slice0cost_single_0_1_is_less;
+      slice0cost_single_negative_0_2 <= slice0cost_single_0_2_is_less;
+      slice0cost_single_negative_0_3 <= slice0cost_single_0_3_is_less;
+      slice0cost_single_negative_0_4 <= slice0cost_single_0_4_is_less;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
@@ -1110,16 +1137,16 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (slice0cost_single_1_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0 + as_number(slice0cost_negative_1_0)) mod 256;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else (slice0cost_single_1_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1 + as_number(slice0cost_negative_1_1)) mod 256;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (slice0cost_single_1_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2 + as_number(slice0cost_negative_1_2)) mod 256;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else (slice0cost_single_1_3 +
-        as_number(slice0cost_negative_0_3) + slice0cost_single_0_3 + as_number(slice0cost_negative_1_3)) mod 256;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else (slice0cost_single_1_4 +
-        as_number(slice0cost_negative_0_4) + slice0cost_single_0_4 + as_number(slice0cost_negative_1_4)) mod 256;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_single_negative_0_0)
+        + slice0cost_single_0_0 + slice0cost_single_1_0) mod 256;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_single_negative_0_1)
+        + slice0cost_single_0_1 + slice0cost_single_1_1) mod 256;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_single_negative_0_2)
+        + slice0cost_single_0_2 + slice0cost_single_1_2) mod 256;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_single_negative_0_3)
+        + slice0cost_single_0_3 + slice0cost_single_1_3) mod 256;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_single_negative_0_4)
+        + slice0cost_single_0_4 + slice0cost_single_1_4) mod 256;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -1214,10 +1241,35 @@ begin
       slice1cost_single_0_3_is_less := slice1cost_difference_0_3 < 0;
       slice1cost_single_0_4_is_less := slice1cost_difference_0_4 < 0;
       slice1cost_single_1_0_is_less := slice1cost_difference_1_0 < 0;
+      if slice1cost_single_1_0_is_less then
+        slice1cost_single_1_0_choice := (65535 - slice1cost_difference_1_0) mod 256;
+      else
+        slice1cost_single_1_0_choice := positive_part(slice1cost_difference_1_0);
+      end if;
       slice1cost_single_1_1_is_less := slice1cost_difference_1_1 < 0;
+      if slice1cost_single_1_1_is_less then
+        slice1cost_single_1_1_choice := (65535 - slice1cost_difference_1_1) mod 256;
+      else
+        slice1cost_single_1_1_choice := positive_part(slice1cost_difference_1_1);
+      end if;
       slice1cost_single_1_2_is_less := slice1cost_difference_1_2 < 0;
+      if slice1cost_single_1_2_is_less then
+        slice1cost_single_1_2_choice := (65535 - slice1cost_difference_1_2) mod 256;
+      else
+        slice1cost_single_1_2_choice := positive_part(slice1cost_difference_1_2);
+      end if;
       slice1cost_single_1_3_is_less := slice1cost_difference_1_3 < 0;
+      if slice1cost_single_1_3_is_less then
+        slice1cost_single_1_3_choice := (65535 - slice1cost_difference_1_3) mod 256;
+      else
+        slice1cost_single_1_3_choice := positive_part(slice1cost_difference_1_3);
+      end if;
       slice1cost_single_1_4_is_less := slice1cost_difference_1_4 < 0;
+      if slice1cost_single_1_4_is_less then
+        slice1cost_single_1_4_choice := (65535 - slice1cost_difference_1_4) mod 256;
+      else
+        slice1cost_single_1_4_choice := positive_part(slice1cost_difference_1_4);
+      end if;
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1238,36 +1290,26 @@ begin
         positive_part(slice1cost_difference_0_3);
       slice1cost_single_0_4 <= (65535 - slice1cost_difference_0_4) mod 256 when slice1cost_single_0_4_is_less else
         positive_part(slice1cost_difference_0_4);
-      slice1cost_single_1_0 <= (65535 - slice1cost_difference_1_0) mod 256 when slice1cost_single_1_0_is_less else
-        positive_part(slice1cost_difference_1_0);
-      slice1cost_single_1_1 <= (65535 - slice1cost_difference_1_1) mod 256 when slice1cost_single_1_1_is_less else
-        positive_part(slice1cost_difference_1_1);
-      slice1cost_single_1_2 <= (65535 - slice1cost_difference_1_2) mod 256 when slice1cost_single_1_2_is_less else
-        positive_part(slice1cost_difference_1_2);
-      slice1cost_single_1_3 <= (65535 - slice1cost_difference_1_3) mod 256 when slice1cost_single_1_3_is_less else
-        positive_part(slice1cost_difference_1_3);
-      slice1cost_single_1_4 <= (65535 - slice1cost_difference_1_4) mod 256 when slice1cost_single_1_4_is_less else
-        positive_part(slice1cost_difference_1_4);
-      slice1cost_negative_0_0 <= slice1cost_single_0_0_is_less;
-      slice1cost_negative_0_1 <= slice1cost_single_0_1_is_less;
-      slice1cost_negative_0_2 <= slice1cost_single_0_2_is_less;
-      slice1cost_negative_0_3 <= slice1cost_single_0_3_is_less;
-      slice1cost_negative_0_4 <= slice1cost_single_0_4_is_less;
-      slice1cost_negative_1_0 <= slice1cost_single_1_0_is_less;
-      slice1cost_negative_1_1 <= slice1cost_single_1_1_is_less;
-      slice1cost_negative_1_2 <= slice1cost_single_1_2_is_less;
-      slice1cost_negative_1_3 <= slice1cost_single_1_3_is_less;
-      slice1cost_negative_1_4 <= slice1cost_single_1_4_is_less;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (slice1cost_single_1_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0 + as_number(slice1cost_negative_1_0)) mod 256;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (slice1cost_single_1_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1 + as_number(slice1cost_negative_1_1)) mod 256;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (slice1cost_single_1_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2 + as_number(slice1cost_negative_1_2)) mod 256;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else (slice1cost_single_1_3 +
-        as_number(slice1cost_negative_0_3) + slice1cost_single_0_3 + as_number(slice1cost_negative_1_3)) mod 256;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else (slice1cost_single_1_4 +
-        as_number(slice1cost_negative_0_4) + slice1cost_single_0_4 + as_number(slice1cost_negative_1_4)) mod 256;
+      slice1cost_single_1_0 <= (slice1cost_single_1_0_choice + as_number(slice1cost_single_1_0_is_less)) mod 256;
+      slice1cost_single_1_1 <= (slice1cost_single_1_1_choice + as_number(slice1cost_single_1_1_is_less)) mod 256;
+      slice1cost_single_1_2 <= (slice1cost_single_1_2_choice + as_number(slice1cost_single_1_2_is_less)) mod 256;
+      slice1cost_single_1_3 <= (slice1cost_single_1_3_choice + as_number(slice1cost_single_1_3_is_less)) mod 256;
+      slice1cost_single_1_4 <= (slice1cost_single_1_4_choice + as_number(slice1cost_single_1_4_is_less)) mod 256;
+      slice1cost_single_negative_0_0 <= slice1cost_single_0_0_is_less;
+      slice1cost_single_negative_0_1 <= slice1cost_single_0_1_is_less;
+      slice1cost_single_negative_0_2 <= slice1cost_single_0_2_is_less;
+      slice1cost_single_negative_0_3 <= slice1cost_single_0_3_is_less;
+      slice1cost_single_negative_0_4 <= slice1cost_single_0_4_is_less;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_single_negative_0_0) +
+        slice1cost_single_0_0 + slice1cost_single_1_0) mod 256;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_single_negative_0_1) +
+        slice1cost_single_0_1 + slice1cost_single_1_1) mod 256;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_single_negative_0_2) +
+        slice1cost_single_0_2 + slice1cost_single_1_2) mod 256;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_single_negative_0_3) +
+        slice1cost_single_0_3 + slice1cost_single_1_3) mod 256;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_single_negative_0_4) +
+        slice1cost_single_0_4 + slice1cost_single_1_4) mod 256;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -1316,7 +1358,17 @@ begin
       slice2cost_single_0_0_is_less := slice2cost_difference_0_0 < 0;
       slice2cost_single_0_1_is_less := slice2cost_difference_0_1 < 0;
       slice2cost_single_1_0_is_less := slice2cost_difference_1_0 < 0;
+      if slice2cost_single_1_0_is_less then
+        slice2cost_single_1_0_choice := (65535 - slice2cost_difference_1_0) mod 256;
+      else
+        slice2cost_single_1_0_choice := positive_part(slice2cost_difference_1_0);
+      end if;
       slice2cost_single_1_1_is_less := slice2cost_difference_1_1 < 0;
+      if slice2cost_single_1_1_is_less then
+        slice2cost_single_1_1_choice := (65535 - slice2cost_difference_1_1) mod 256;
+      else
+        slice2cost_single_1_1_choice := positive_part(slice2cost_difference_1_1);
+      end if;
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1325,18 +1377,14 @@ begin
         positive_part(slice2cost_difference_0_0);
       slice2cost_single_0_1 <= (65535 - slice2cost_difference_0_1) mod 256 when slice2cost_single_0_1_is_less else
         positive_part(slice2cost_difference_0_1);
-      slice2cost_single_1_0 <= (65535 - slice2cost_difference_1_0) mod 256 when slice2cost_single_1_0_is_less else
-        positive_part(slice2cost_difference_1_0);
-      slice2cost_single_1_1 <= (65535 - slice2cost_difference_1_1) mod 256 when slice2cost_single_1_1_is_less else
-        positive_part(slice2cost_difference_1_1);
-      slice2cost_negative_0_0 <= slice2cost_single_0_0_is_less;
-      slice2cost_negative_0_1 <= slice2cost_single_0_1_is_less;
-      slice2cost_negative_1_0 <= slice2cost_single_1_0_is_less;
-      slice2cost_negative_1_1 <= slice2cost_single_1_1_is_less;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (slice2cost_single_1_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0 + as_number(slice2cost_negative_1_0)) mod 256;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (slice2cost_single_1_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1 + as_number(slice2cost_negative_1_1)) mod 256;
+      slice2cost_single_1_0 <= (slice2cost_single_1_0_choice + as_number(slice2cost_single_1_0_is_less)) mod 256;
+      slice2cost_single_1_1 <= (slice2cost_single_1_1_choice + as_number(slice2cost_single_1_1_is_less)) mod 256;
+      slice2cost_single_negative_0_0 <= slice2cost_single_0_0_is_less;
+      slice2cost_single_negative_0_1 <= slice2cost_single_0_1_is_less;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_single_negative_0_0) +
+        slice2cost_single_0_0 + slice2cost_single_1_0) mod 256;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_single_negative_0_1) +
+        slice2cost_single_0_1 + slice2cost_single_1_1) mod 256;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1352,7 +1400,7 @@ begin
         (((slice2window_sum_0_1 / 32) mod 2) = 1)) or (((slice2window_sum_0_1 / 8) mod 4) = 0)))) and
         ((slice2window_sum_0_1 / 128) = 1) else slice2window_sum_0_1 / 8;
       -- entry
-      entry_order_address_all := (not entry_next_tag_map_column) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_address_choice := 0 when entry_order_falls else 7;
       entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_address_choice_2 := 31 when entry_order_falls else 1;
@@ -1373,21 +1421,21 @@ begin
       entry_next_cost_10 <= slice0_held_2_3;
       entry_next_cost_11 <= slice0_held_2_4;
       entry_next_tag_valid <= slice0_tag_2_valid;
+      entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
       entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
         (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_falls <= entry_next_tag_map_column or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid) when
+      entry_order_falls <= entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid) when
         entry_order_falls else entry_order_address_all;
-      entry_order_inside <= slice0_tag_2_map_column;
       entry_order_complete <= slice0_tag_2_end_of_line or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid)
         when entry_order_complete else slice0_tag_2_end_of_line and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice when
         entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
         slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_address_all;
-      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_map_column and
-        slice0_tag_2_valid and entry_order_first and entry_order_output and entry_order_complete;
+      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
+        and entry_next_top and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -1401,39 +1449,39 @@ begin
       entry_cost_10 <= entry_next_cost_10;
       entry_cost_11 <= entry_next_cost_11;
       entry_tag_valid <= entry_next_tag_valid;
-      entry_tag_map_column <= entry_order_inside;
+      entry_tag_map_column <= entry_next_tag_map_column;
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_next_top;
+      entry_top <= entry_order_first;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if slice0_tag_2_valid then
-        entry_next_tag_map_column <= slice0_tag_2_map_column;
-      end if;
       if entry_order_address_all_2 then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
       end if;
       if entry_order_address_all then
+        entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
-        entry_order_first <= slice0_tag_2_start_of_frame;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
+      if slice0_tag_2_valid then
+        entry_order_inside <= slice0_tag_2_map_column;
+      end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when forward_left_cost_2 < forward_left_cost_0 else
+      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when forward_left_cost_3 < forward_left_cost_1 else
+      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when forward_left_cost_6 < forward_left_cost_4 else
+      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when forward_left_cost_7 < forward_left_cost_5 else
+      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when forward_left_cost_10 < forward_left_cost_8 else
+      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when forward_left_cost_11 < forward_left_cost_9 else
+      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
         1;
@@ -1455,69 +1503,69 @@ begin
       end if;
       forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
         forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when forward_left_arrived_0 < forward_left_cost_0 else
+      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
         forward_left_cost_0;
       forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when forward_left_arrived_1 < forward_left_cost_1 else
+      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
         forward_left_cost_1;
       forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when forward_left_arrived_2 < forward_left_cost_2 else
+      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when forward_left_arrived_3 < forward_left_cost_3 else
+      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when forward_left_arrived_4 < forward_left_cost_4 else
+      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
         forward_left_cost_4;
       forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when forward_left_arrived_5 < forward_left_cost_5 else
+      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
         forward_left_cost_5;
       forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when forward_left_arrived_6 < forward_left_cost_6 else
+      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when forward_left_arrived_7 < forward_left_cost_7 else
+      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when forward_left_arrived_8 < forward_left_cost_8 else
+      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
         forward_left_cost_8;
       forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when forward_left_arrived_9 < forward_left_cost_9 else
+      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
         forward_left_cost_9;
       forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when forward_left_arrived_10 < forward_left_cost_10 else
-        forward_left_cost_10;
+      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
+        else forward_left_cost_10;
       forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when forward_left_arrived_11 < forward_left_cost_11 else
-        forward_left_cost_11;
+      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
+        else forward_left_cost_11;
       forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
         forward_left_cost_11_choice;
       forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
       forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
       forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when forward_left_cost_4 < forward_left_cost_2 else
+      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
         forward_left_cost_2;
       forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when forward_left_cost_5 < forward_left_cost_3 else
+      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
         forward_left_cost_3;
       forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
       forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
       forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when forward_left_cost_8 < forward_left_cost_6 else
+      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
         forward_left_cost_6;
       forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when forward_left_cost_9 < forward_left_cost_7 else
+      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
         forward_left_cost_7;
       forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
       forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
@@ -1548,23 +1596,24 @@ begin
       forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
         downto 25));
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when entry_cost_1 < entry_cost_0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when entry_cost_3 < entry_cost_2 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when entry_cost_5 < entry_cost_4 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when entry_cost_7 < entry_cost_6 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when entry_cost_9 < entry_cost_8 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when entry_cost_11 < entry_cost_10 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when forward_smallest_smallest_1 <
-          forward_smallest_smallest_0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when forward_smallest_smallest_3 <
-          forward_smallest_smallest_2 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when forward_smallest_smallest_5 <
-          forward_smallest_smallest_4 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when forward_smallest_next_smallest_1
-          < forward_smallest_next_smallest_0 else forward_smallest_next_smallest_0;
+        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
+        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
+        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
+        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
+        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
+        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
+        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
+          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
+        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
+          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
+        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
+          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
+        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
+          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
+          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
         forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          forward_smallest_next_next_smallest_1 < forward_smallest_next_next_smallest_0 else
+          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
           forward_smallest_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
@@ -1575,17 +1624,18 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when forward_left_pair_1 < forward_left_pair_0 else
+        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
           forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when forward_left_pair_3 < forward_left_pair_2 else
+        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
           forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when forward_left_pair_5 < forward_left_pair_4 else
+        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
           forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when forward_left_tree_smallest_1 <
-          forward_left_tree_smallest_0 else forward_left_tree_smallest_0;
+        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
+          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
         forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          forward_left_tree_next_smallest_1 < forward_left_tree_next_smallest_0 else forward_left_tree_next_smallest_0;
+          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
+          forward_left_tree_next_smallest_0;
         forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
         forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
         forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
@@ -1600,7 +1650,7 @@ begin
         forward_left_first_0 <= sums_right_first_2;
         forward_left_first_1 <= forward_left_first_0;
         forward_left_first_2 <= forward_left_first_1;
-        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest) mod 128;
+        forward_left_g_copy_0 <= (forward_left_start_cost_0 + forward_smallest_cost_0) mod 128;
         forward_left_g_less_copy_0 <= (forward_left_start_cost_0 + forward_left_smallest_less) mod 128;
         forward_left_stay_change_0 <= (forward_cost_0_0 - forward_left_g_copy_0) mod 128;
         forward_left_stay_change_1 <= (forward_cost_0_1 - forward_left_g_copy_0) mod 128;
@@ -1677,30 +1727,30 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when forward_above_total_1 < forward_above_total_0 else
-          forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when forward_above_total_3 < forward_above_total_2 else
-          forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when forward_above_total_5 < forward_above_total_4 else
-          forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when forward_above_total_7 < forward_above_total_6 else
-          forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when forward_above_total_9 < forward_above_total_8 else
-          forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when forward_above_total_11 < forward_above_total_10
-          else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when forward_above_tree_smallest_1 <
-          forward_above_tree_smallest_0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when forward_above_tree_smallest_3 <
-          forward_above_tree_smallest_2 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when forward_above_tree_smallest_5 <
-          forward_above_tree_smallest_4 else forward_above_tree_smallest_4;
+        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
+          else forward_above_total_0;
+        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
+          else forward_above_total_2;
+        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
+          else forward_above_total_4;
+        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
+          else forward_above_total_6;
+        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
+          else forward_above_total_8;
+        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
+          < 0 else forward_above_total_10;
+        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
+          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
+        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
+          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
+        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
+          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
         forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          forward_above_tree_next_smallest_1 < forward_above_tree_next_smallest_0 else
+          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
           forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
         forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          forward_above_tree_next_next_smallest_1 < forward_above_tree_next_next_smallest_0 else
+          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
           forward_above_tree_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
           (forward_above_delay_ring_read_address + 1) mod 8;
@@ -1728,25 +1778,25 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when forward_above_cost_2 < forward_above_cost_0 else
+        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
           forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when forward_above_cost_3 < forward_above_cost_1 else
+        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
           forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when forward_above_cost_4 < forward_above_cost_2 else
+        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
           forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when forward_above_cost_5 < forward_above_cost_3 else
+        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
           forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when forward_above_cost_6 < forward_above_cost_4 else
+        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
           forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when forward_above_cost_7 < forward_above_cost_5 else
+        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
           forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when forward_above_cost_8 < forward_above_cost_6 else
+        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
           forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when forward_above_cost_9 < forward_above_cost_7 else
+        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
           forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when forward_above_cost_10 < forward_above_cost_8 else
+        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
           forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when forward_above_cost_11 < forward_above_cost_9 else
+        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
           forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
@@ -1792,7 +1842,7 @@ begin
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= forward_above_comes_8;
+        forward_above_comes_9 <= sums_turn_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -1867,35 +1917,36 @@ begin
         forward_cost_3_9 <= forward_cost_2_9;
         forward_cost_3_10 <= forward_cost_2_10;
         forward_cost_3_11 <= forward_cost_2_11;
+        forward_smallest_cost_0 <= forward_smallest_next_next_next_smallest_0;
         forward_smallest_cost_1 <= forward_left_smallest;
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
-      forward_above_write_words_0_choice := forward_above_step_4 when forward_above_step_4 < forward_above_stay_4 else
-        forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when forward_above_step_5 < forward_above_stay_5
-        else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when forward_above_step_3 < forward_above_stay_3
-        else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when forward_above_step_2 < forward_above_stay_2
-        else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when forward_above_step_0 < forward_above_stay_0
-        else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when forward_above_step_1 < forward_above_stay_1
-        else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when forward_above_step_10 < forward_above_stay_10
-        else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when forward_above_step_11 < forward_above_stay_11
-        else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when forward_above_step_9 < forward_above_stay_9
-        else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when forward_above_step_8 < forward_above_stay_8
-        else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when forward_above_step_6 < forward_above_stay_6
-        else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when forward_above_step_7 < forward_above_stay_7
-        else forward_above_stay_7;
+      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
+        else forward_above_stay_4;
+      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
+        0 else forward_above_stay_5;
+      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
+        0 else forward_above_stay_3;
+      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
+        0 else forward_above_stay_2;
+      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
+        0 else forward_above_stay_0;
+      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
+        0 else forward_above_stay_1;
+      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
+        < 0 else forward_above_stay_10;
+      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
+        forward_above_stay_11) < 0 else forward_above_stay_11;
+      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
+        0 else forward_above_stay_9;
+      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
+        0 else forward_above_stay_8;
+      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
+        0 else forward_above_stay_6;
+      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
+        0 else forward_above_stay_7;
       forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
       if forward_above_write_words_0_all then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
@@ -1913,12 +1964,18 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when sums_right_cost_2 < sums_right_cost_0 else sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when sums_right_cost_3 < sums_right_cost_1 else sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when sums_right_cost_6 < sums_right_cost_4 else sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when sums_right_cost_7 < sums_right_cost_5 else sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when sums_right_cost_10 < sums_right_cost_8 else sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when sums_right_cost_11 < sums_right_cost_9 else sums_right_cost_9;
+      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
+        sums_right_cost_0;
+      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
+        sums_right_cost_1;
+      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
+        sums_right_cost_4;
+      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
+        sums_right_cost_5;
+      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
+        sums_right_cost_8;
+      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
+        sums_right_cost_9;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
@@ -1937,69 +1994,69 @@ begin
         sums_right_room_choice := sums_right_room;
       end if;
       sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when sums_right_arrived_0 < sums_right_cost_0 else
+      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
         sums_right_cost_0;
       sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when sums_right_arrived_1 < sums_right_cost_1 else
+      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
         sums_right_cost_1;
       sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when sums_right_arrived_2 < sums_right_cost_2 else
+      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when sums_right_arrived_3 < sums_right_cost_3 else
+      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when sums_right_arrived_4 < sums_right_cost_4 else
+      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
         sums_right_cost_4;
       sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when sums_right_arrived_5 < sums_right_cost_5 else
+      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
         sums_right_cost_5;
       sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when sums_right_arrived_6 < sums_right_cost_6 else
+      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when sums_right_arrived_7 < sums_right_cost_7 else
+      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when sums_right_arrived_8 < sums_right_cost_8 else
+      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
         sums_right_cost_8;
       sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when sums_right_arrived_9 < sums_right_cost_9 else
+      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
         sums_right_cost_9;
       sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when sums_right_arrived_10 < sums_right_cost_10 else
+      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
         sums_right_cost_10;
       sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when sums_right_arrived_11 < sums_right_cost_11 else
+      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
         sums_right_cost_11;
       sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 else
         sums_right_cost_11_choice;
       sums_right_arrived_0_choice := 64 when forward_first_3 else sums_right_cost_1;
       sums_right_arrived_1_choice := 64 when forward_first_3 else sums_right_pair_0_choice;
       sums_right_arrived_2_choice := 64 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when sums_right_cost_4 < sums_right_cost_2 else
+      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
         sums_right_cost_2;
       sums_right_arrived_3_choice_2 := 64 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when sums_right_cost_5 < sums_right_cost_3 else
+      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
         sums_right_cost_3;
       sums_right_arrived_4_choice_2 := 64 when forward_first_3 else sums_right_arrived_4_choice;
       sums_right_arrived_5_choice := 64 when forward_first_3 else sums_right_pair_2_choice;
       sums_right_arrived_6_choice := 64 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when sums_right_cost_8 < sums_right_cost_6 else
+      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
         sums_right_cost_6;
       sums_right_arrived_7_choice_2 := 64 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when sums_right_cost_9 < sums_right_cost_7 else
+      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
         sums_right_cost_7;
       sums_right_arrived_8_choice_2 := 64 when forward_first_3 else sums_right_arrived_8_choice;
       sums_right_arrived_9_choice := 64 when forward_first_3 else sums_right_pair_4_choice;
@@ -2018,6 +2075,10 @@ begin
         sums_turn_comes_2 <= sums_turn_comes_1;
         sums_turn_comes_3 <= sums_turn_comes_2;
         sums_turn_comes_4 <= sums_turn_comes_3;
+        sums_turn_comes_5 <= forward_above_comes_4;
+        sums_turn_comes_6 <= sums_turn_comes_5;
+        sums_turn_comes_7 <= sums_turn_comes_6;
+        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -2057,17 +2118,17 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when sums_right_pair_1 < sums_right_pair_0 else
+        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
           sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when sums_right_pair_3 < sums_right_pair_2 else
+        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
           sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when sums_right_pair_5 < sums_right_pair_4 else
+        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
           sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when sums_right_tree_smallest_1 <
-          sums_right_tree_smallest_0 else sums_right_tree_smallest_0;
+        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
+          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when sums_right_tree_next_smallest_1 <
-          sums_right_tree_next_smallest_0 else sums_right_tree_next_smallest_0;
+        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
+          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
         sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
         sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
         sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
@@ -2184,368 +2245,471 @@ begin
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
       -- winnerswinner1
-      winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
-        1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_0_choice_2 := winnerswinner1_best_index_0_0_choice when ((sums_sum_0_0 / 2) mod 2) =
-        1 else ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
-      winnerswinner1_best_index_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_0_value when winnerswinner1_best_index_0_0_choice_2 else (not (((sums_sum_0_0 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_0_value;
-      winnerswinner1_best_index_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_2 when winnerswinner1_best_index_0_0_choice_3 else (not (((sums_sum_0_0 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_2;
-      winnerswinner1_best_index_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_3 when winnerswinner1_best_index_0_0_choice_4 else (not (((sums_sum_0_0 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_3;
-      winnerswinner1_best_index_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_4 when winnerswinner1_best_index_0_0_choice_5 else (not (((sums_sum_0_0 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_4;
-      winnerswinner1_best_index_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_0_value_5 when winnerswinner1_best_index_0_0_choice_6 else (not (((sums_sum_0_0 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_0_value_5;
-      winnerswinner1_best_index_0_1_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) =
-        1)) when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_1_choice_2 := winnerswinner1_best_index_0_1_choice when ((sums_sum_0_2 / 2) mod 2) =
-        1 else ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
-      winnerswinner1_best_index_0_1_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_1_value when winnerswinner1_best_index_0_1_choice_2 else (not (((sums_sum_0_2 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_1_value;
-      winnerswinner1_best_index_0_1_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_2 when winnerswinner1_best_index_0_1_choice_3 else (not (((sums_sum_0_2 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_2;
-      winnerswinner1_best_index_0_1_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_3 when winnerswinner1_best_index_0_1_choice_4 else (not (((sums_sum_0_2 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_3;
-      winnerswinner1_best_index_0_1_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_4 when winnerswinner1_best_index_0_1_choice_5 else (not (((sums_sum_0_2 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_4;
-      winnerswinner1_best_index_0_1_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_1_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_1_value_5 when winnerswinner1_best_index_0_1_choice_6 else (not (((sums_sum_0_2 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_1_value_5;
-      winnerswinner1_best_index_0_1_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
-        winnerswinner1_best_index_0_1_choice_7 else ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
-      winnerswinner1_best_index_0_2_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) =
-        1)) when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_2_choice_2 := winnerswinner1_best_index_0_2_choice when ((sums_sum_0_4 / 2) mod 2) =
-        1 else ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
-      winnerswinner1_best_index_0_2_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_2_value when winnerswinner1_best_index_0_2_choice_2 else (not (((sums_sum_0_4 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_2_value;
-      winnerswinner1_best_index_0_2_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_2 when winnerswinner1_best_index_0_2_choice_3 else (not (((sums_sum_0_4 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_2;
-      winnerswinner1_best_index_0_2_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_3 when winnerswinner1_best_index_0_2_choice_4 else (not (((sums_sum_0_4 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_3;
-      winnerswinner1_best_index_0_2_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_4 when winnerswinner1_best_index_0_2_choice_5 else (not (((sums_sum_0_4 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_4;
-      winnerswinner1_best_index_0_2_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_2_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_2_value_5 when winnerswinner1_best_index_0_2_choice_6 else (not (((sums_sum_0_4 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_2_value_5;
-      winnerswinner1_best_index_0_2_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
-        winnerswinner1_best_index_0_2_choice_7 else ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
-      winnerswinner1_best_index_0_3_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) =
-        1)) when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_3_choice_2 := winnerswinner1_best_index_0_3_choice when ((sums_sum_0_6 / 2) mod 2) =
-        1 else ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
-      winnerswinner1_best_index_0_3_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_3_value when winnerswinner1_best_index_0_3_choice_2 else (not (((sums_sum_0_6 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_3_value;
-      winnerswinner1_best_index_0_3_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_2 when winnerswinner1_best_index_0_3_choice_3 else (not (((sums_sum_0_6 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_2;
-      winnerswinner1_best_index_0_3_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_3 when winnerswinner1_best_index_0_3_choice_4 else (not (((sums_sum_0_6 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_3;
-      winnerswinner1_best_index_0_3_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_4 when winnerswinner1_best_index_0_3_choice_5 else (not (((sums_sum_0_6 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_4;
-      winnerswinner1_best_index_0_3_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_3_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_3_value_5 when winnerswinner1_best_index_0_3_choice_6 else (not (((sums_sum_0_6 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_3_value_5;
-      winnerswinner1_best_index_0_3_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
-        winnerswinner1_best_index_0_3_choice_7 else ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
-      winnerswinner1_best_index_0_4_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) =
-        1)) when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_4_choice_2 := winnerswinner1_best_index_0_4_choice when ((sums_sum_0_8 / 2) mod 2) =
-        1 else ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
-      winnerswinner1_best_index_0_4_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_4_value when winnerswinner1_best_index_0_4_choice_2 else (not (((sums_sum_0_8 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_4_value;
-      winnerswinner1_best_index_0_4_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_2 when winnerswinner1_best_index_0_4_choice_3 else (not (((sums_sum_0_8 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_2;
-      winnerswinner1_best_index_0_4_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_3 when winnerswinner1_best_index_0_4_choice_4 else (not (((sums_sum_0_8 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_3;
-      winnerswinner1_best_index_0_4_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_4 when winnerswinner1_best_index_0_4_choice_5 else (not (((sums_sum_0_8 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_4;
-      winnerswinner1_best_index_0_4_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_4_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_4_value_5 when winnerswinner1_best_index_0_4_choice_6 else (not (((sums_sum_0_8 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_4_value_5;
-      winnerswinner1_best_index_0_4_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
-        winnerswinner1_best_index_0_4_choice_7 else ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
-      winnerswinner1_best_index_0_5_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
+        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
+        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_0_value;
+      winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
+      winnerswinner1_of_pair_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_0_value_5 when winnerswinner1_of_pair_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
+        2) = 1)) and winnerswinner1_of_pair_0_0_value_5;
+      winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
+        winnerswinner1_of_pair_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
+      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
+        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
+        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_2_value;
+      winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
+      winnerswinner1_of_pair_0_2_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_2_value_5 when winnerswinner1_of_pair_0_2_choice_6 else (not (((sums_sum_0_2 / 64) mod
+        2) = 1)) and winnerswinner1_of_pair_0_2_value_5;
+      winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
+        winnerswinner1_of_pair_0_2_choice_7 else ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
+      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
+        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
+        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_4_value;
+      winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
+      winnerswinner1_of_pair_0_4_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_4_value_5 when winnerswinner1_of_pair_0_4_choice_6 else (not (((sums_sum_0_4 / 64) mod
+        2) = 1)) and winnerswinner1_of_pair_0_4_value_5;
+      winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
+        winnerswinner1_of_pair_0_4_choice_7 else ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
+      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
+        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
+        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_6_value;
+      winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
+      winnerswinner1_of_pair_0_6_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_6_value_5 when winnerswinner1_of_pair_0_6_choice_6 else (not (((sums_sum_0_6 / 64) mod
+        2) = 1)) and winnerswinner1_of_pair_0_6_value_5;
+      winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
+        winnerswinner1_of_pair_0_6_choice_7 else ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
+      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
+        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
+      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
+        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
+        = 1)) or winnerswinner1_of_pair_0_8_value;
+      winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
+      winnerswinner1_of_pair_0_8_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_8_value_5 when winnerswinner1_of_pair_0_8_choice_6 else (not (((sums_sum_0_8 / 64) mod
+        2) = 1)) and winnerswinner1_of_pair_0_8_value_5;
+      winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
+        winnerswinner1_of_pair_0_8_choice_7 else ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
+      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
         1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_best_index_0_5_choice_2 := winnerswinner1_best_index_0_5_choice when ((sums_sum_0_10 / 2) mod 2) =
-        1 else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
-      winnerswinner1_best_index_0_5_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_best_index_0_5_value when winnerswinner1_best_index_0_5_choice_2 else (not (((sums_sum_0_10 / 4)
-        mod 2) = 1)) or winnerswinner1_best_index_0_5_value;
-      winnerswinner1_best_index_0_5_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_2 when winnerswinner1_best_index_0_5_choice_3 else (not (((sums_sum_0_10 /
-        8) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_2;
-      winnerswinner1_best_index_0_5_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_3 when winnerswinner1_best_index_0_5_choice_4 else (not (((sums_sum_0_10 /
-        16) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_3;
-      winnerswinner1_best_index_0_5_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_4 when winnerswinner1_best_index_0_5_choice_5 else (not (((sums_sum_0_10 /
-        32) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_4;
-      winnerswinner1_best_index_0_5_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      winnerswinner1_best_index_0_5_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
-        winnerswinner1_best_index_0_5_value_5 when winnerswinner1_best_index_0_5_choice_6 else (not (((sums_sum_0_10 /
-        64) mod 2) = 1)) and winnerswinner1_best_index_0_5_value_5;
-      winnerswinner1_best_index_0_5_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1)) when
-        winnerswinner1_best_index_0_5_choice_7 else ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
-      winnerswinner1_best_cost_0_0 <= sums_sum_0_1 when sums_sum_0_1 < sums_sum_0_0 else sums_sum_0_0;
-      winnerswinner1_best_cost_0_1 <= sums_sum_0_3 when sums_sum_0_3 < sums_sum_0_2 else sums_sum_0_2;
-      winnerswinner1_best_cost_0_2 <= sums_sum_0_5 when sums_sum_0_5 < sums_sum_0_4 else sums_sum_0_4;
-      winnerswinner1_best_cost_0_3 <= sums_sum_0_7 when sums_sum_0_7 < sums_sum_0_6 else sums_sum_0_6;
-      winnerswinner1_best_cost_0_4 <= sums_sum_0_9 when sums_sum_0_9 < sums_sum_0_8 else sums_sum_0_8;
-      winnerswinner1_best_cost_0_5 <= sums_sum_0_11 when sums_sum_0_11 < sums_sum_0_10 else sums_sum_0_10;
-      winnerswinner1_best_index_0_0 <= ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
-        winnerswinner1_best_index_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_index_0_1_choice_8 else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_index_0_2_choice_8 else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_index_0_3_choice_8 else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_index_0_4_choice_8 else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_index_0_5_choice_8 else 10;
-      winnerswinner1_tag_valid <= sums_tag_valid;
-      winnerswinner1_tag_map_column <= sums_tag_map_column;
-      winnerswinner1_tag_output_column <= sums_tag_output_column;
-      winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
-      winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
+        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
+        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
+      winnerswinner1_of_pair_0_10_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
+      winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
+        winnerswinner1_of_pair_0_10_value_5 when winnerswinner1_of_pair_0_10_choice_6 else (not (((sums_sum_0_10 / 64)
+        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_5;
+      winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1)) when
+        winnerswinner1_of_pair_0_10_choice_7 else ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
+      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
+        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
+        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
+        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
+        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
+      winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
+        winnerswinner1_of_four_0_0_value_12 when winnerswinner1_of_four_0_0_choice_6 else (not
+        (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_0_value_11 or winnerswinner1_of_four_0_0_value_12);
+      winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_2 / 128) = 1)) when winnerswinner1_of_four_0_0_choice_7 else (not ((not
+        ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 128) = 1)));
+      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
+        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
+        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
+        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
+        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
+      winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
+        winnerswinner1_of_four_0_4_value_12 when winnerswinner1_of_four_0_4_choice_6 else (not
+        (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_4_value_11 or winnerswinner1_of_four_0_4_value_12);
+      winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_6 / 128) = 1)) when winnerswinner1_of_four_0_4_choice_7 else (not ((not
+        ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 128) = 1)));
+      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
+        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
+        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
+        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
+        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
+        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
+        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
+        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
+      winnerswinner1_of_four_0_8_value_11 := ((winnerswinner1_of_pair_0_11 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_8_value_12 := ((winnerswinner1_of_pair_0_10 / 64) mod 2) = 1;
+      winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
+        (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
+        winnerswinner1_of_four_0_8_value_12 when winnerswinner1_of_four_0_8_choice_6 else (not
+        (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and
+        (winnerswinner1_of_four_0_8_value_11 or winnerswinner1_of_four_0_8_value_12);
+      winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
+        ((winnerswinner1_of_pair_0_10 / 128) = 1)) when winnerswinner1_of_four_0_8_choice_7 else (not ((not
+        ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not
+        ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 128) = 1)));
+      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_8 else sums_sum_0_0;
+      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_8 else 0;
+      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_8 else sums_sum_0_2;
+      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_8 else 0;
+      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_8 else sums_sum_0_4;
+      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_8 else 0;
+      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_8 else sums_sum_0_6;
+      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_8 else 0;
+      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_8 else sums_sum_0_8;
+      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_8 else 0;
+      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_8 else sums_sum_0_10;
+      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_8 else 0;
+      winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
+      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_8 else 2;
+      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_8 else 4;
+      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_8 else 6;
+      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_8 else 8;
+      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_8 else 10;
+      winnerswinner1_pair_tag_valid <= sums_tag_valid;
+      winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
+      winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
+      winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
+      winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
+      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_0;
+      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_1;
+      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_8 else 0;
+      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_8 else 0;
+      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_4;
+      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_5;
+      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_8 else 0;
+      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_8 else 0;
+      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_8;
+      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_9;
+      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_8 else 0;
+      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_8 else 0;
+      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_8 else
+        as_number(winnerswinner1_pair_index_0_0);
+      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_8 else
+        winnerswinner1_pair_index_0_2;
+      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_8 else
+        winnerswinner1_pair_index_0_4;
+      winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
+      winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
+      winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
+      winnerswinner1_four_tag_start_of_frame <= winnerswinner1_pair_tag_start_of_frame;
+      winnerswinner1_four_tag_end_of_line <= winnerswinner1_pair_tag_end_of_line;
+      winnerswinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_2, 8)) or
+        (to_unsigned(winnerswinner1_of_four_0_3, 8)))) or (to_unsigned(winnerswinner1_of_four_0_1, 8)))) or
+        (to_unsigned(winnerswinner1_of_four_0_0, 8))));
+      winnerswinner1_best_cost_0_1 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_6, 8)) or
+        (to_unsigned(winnerswinner1_of_four_0_7, 8)))) or (to_unsigned(winnerswinner1_of_four_0_5, 8)))) or
+        (to_unsigned(winnerswinner1_of_four_0_4, 8))));
+      winnerswinner1_best_cost_0_2 <= to_integer(((((((to_unsigned(winnerswinner1_of_four_0_10, 8)) or
+        (to_unsigned(winnerswinner1_of_four_0_11, 8)))) or (to_unsigned(winnerswinner1_of_four_0_9, 8)))) or
+        (to_unsigned(winnerswinner1_of_four_0_8, 8))));
+      winnerswinner1_best_index_0_0 <= winnerswinner1_four_index_0_0;
+      winnerswinner1_best_index_0_1 <= winnerswinner1_four_index_0_1;
+      winnerswinner1_best_index_0_2 <= winnerswinner1_four_index_0_2;
+      winnerswinner1_tag_valid <= winnerswinner1_four_tag_valid;
+      winnerswinner1_tag_map_column <= winnerswinner1_four_tag_map_column;
+      winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
+      winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
+      winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
       -- winnerswinner2
-      winnerswinner2_best_index_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
         ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
         (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_0_choice_2 := winnerswinner2_best_index_0_0_choice when
-        ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_1 mod 4) = 0);
-      winnerswinner2_best_index_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_0_value when winnerswinner2_best_index_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_0_value;
-      winnerswinner2_best_index_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_2 when winnerswinner2_best_index_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_2;
-      winnerswinner2_best_index_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_3 when winnerswinner2_best_index_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_3;
-      winnerswinner2_best_index_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_4 when winnerswinner2_best_index_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_4;
-      winnerswinner2_best_index_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_0_value_5 when winnerswinner2_best_index_0_0_choice_6 else (not
-        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_0_value_5;
-      winnerswinner2_best_index_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_best_index_0_0_choice_7 else
+      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
+        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
+        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
+        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
+        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
+        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
+      winnerswinner2_of_pair_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
+      winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
+        winnerswinner2_of_pair_0_0_value_5 when winnerswinner2_of_pair_0_0_choice_6 else (not
+        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_5;
+      winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
+        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_of_pair_0_0_choice_7 else
         ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
-      winnerswinner2_best_index_0_1_choice := (not (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_3 mod 2) = 1)) when (winnerswinner1_best_cost_0_2 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_3 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_1_choice_2 := winnerswinner2_best_index_0_1_choice when
-        ((winnerswinner1_best_cost_0_2 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_2 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_3 mod 4) = 0);
-      winnerswinner2_best_index_0_1_value := ((winnerswinner1_best_cost_0_3 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_3 := (not (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_1_value when winnerswinner2_best_index_0_1_choice_2 else (not
-        (((winnerswinner1_best_cost_0_2 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_1_value;
-      winnerswinner2_best_index_0_1_value_2 := ((winnerswinner1_best_cost_0_3 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_4 := (not (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_2 when winnerswinner2_best_index_0_1_choice_3 else (not
-        (((winnerswinner1_best_cost_0_2 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_2;
-      winnerswinner2_best_index_0_1_value_3 := ((winnerswinner1_best_cost_0_3 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_5 := (not (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_3 when winnerswinner2_best_index_0_1_choice_4 else (not
-        (((winnerswinner1_best_cost_0_2 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_3;
-      winnerswinner2_best_index_0_1_value_4 := ((winnerswinner1_best_cost_0_3 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_6 := (not (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_4 when winnerswinner2_best_index_0_1_choice_5 else (not
-        (((winnerswinner1_best_cost_0_2 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_4;
-      winnerswinner2_best_index_0_1_value_5 := ((winnerswinner1_best_cost_0_3 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_1_choice_7 := (not (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_1_value_5 when winnerswinner2_best_index_0_1_choice_6 else (not
-        (((winnerswinner1_best_cost_0_2 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_1_value_5;
-      winnerswinner2_best_index_0_1_choice_8 := ((winnerswinner1_best_cost_0_2 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_3 / 128) = 1)) when winnerswinner2_best_index_0_1_choice_7 else
-        ((winnerswinner1_best_cost_0_2 / 128) = 1) or (not ((winnerswinner1_best_cost_0_3 / 128) = 1));
-      winnerswinner2_best_index_0_2_choice := (not (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_5 mod 2) = 1)) when (winnerswinner1_best_cost_0_4 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_5 / 2) mod 2) = 1);
-      winnerswinner2_best_index_0_2_choice_2 := winnerswinner2_best_index_0_2_choice when
-        ((winnerswinner1_best_cost_0_4 / 2) mod 2) = 1 else ((winnerswinner1_best_cost_0_4 mod 2) = 1) and
-        ((winnerswinner1_best_cost_0_5 mod 4) = 0);
-      winnerswinner2_best_index_0_2_value := ((winnerswinner1_best_cost_0_5 / 4) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_3 := (not (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) and
-        winnerswinner2_best_index_0_2_value when winnerswinner2_best_index_0_2_choice_2 else (not
-        (((winnerswinner1_best_cost_0_4 / 4) mod 2) = 1)) or winnerswinner2_best_index_0_2_value;
-      winnerswinner2_best_index_0_2_value_2 := ((winnerswinner1_best_cost_0_5 / 8) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_4 := (not (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_2 when winnerswinner2_best_index_0_2_choice_3 else (not
-        (((winnerswinner1_best_cost_0_4 / 8) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_2;
-      winnerswinner2_best_index_0_2_value_3 := ((winnerswinner1_best_cost_0_5 / 16) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_5 := (not (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_3 when winnerswinner2_best_index_0_2_choice_4 else (not
-        (((winnerswinner1_best_cost_0_4 / 16) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_3;
-      winnerswinner2_best_index_0_2_value_4 := ((winnerswinner1_best_cost_0_5 / 32) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_6 := (not (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_4 when winnerswinner2_best_index_0_2_choice_5 else (not
-        (((winnerswinner1_best_cost_0_4 / 32) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_4;
-      winnerswinner2_best_index_0_2_value_5 := ((winnerswinner1_best_cost_0_5 / 64) mod 2) = 1;
-      winnerswinner2_best_index_0_2_choice_7 := (not (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) or
-        winnerswinner2_best_index_0_2_value_5 when winnerswinner2_best_index_0_2_choice_6 else (not
-        (((winnerswinner1_best_cost_0_4 / 64) mod 2) = 1)) and winnerswinner2_best_index_0_2_value_5;
-      winnerswinner2_best_index_0_2_choice_8 := ((winnerswinner1_best_cost_0_4 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_5 / 128) = 1)) when winnerswinner2_best_index_0_2_choice_7 else
-        ((winnerswinner1_best_cost_0_4 / 128) = 1) or (not ((winnerswinner1_best_cost_0_5 / 128) = 1));
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner1_best_cost_0_1 <
-        winnerswinner1_best_cost_0_0 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner1_best_cost_0_3 <
-        winnerswinner1_best_cost_0_2 else winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner1_best_cost_0_5 <
-        winnerswinner1_best_cost_0_4 else winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_index_0_0_choice_8 else
-        as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_index_0_1_choice_8 else
-        winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_index_0_2_choice_8 else
-        winnerswinner1_best_index_0_4;
-      winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
-      winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
-      winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
-      winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
-      winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      -- winnerswinner3
-      winnerswinner3_best_index_0_0_choice := (not (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner2_best_cost_0_1 mod 2) = 1)) when (winnerswinner2_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner2_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner3_best_index_0_0_choice_2 := winnerswinner3_best_index_0_0_choice when
-        ((winnerswinner2_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner2_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner2_best_cost_0_1 mod 4) = 0);
-      winnerswinner3_best_index_0_0_value := ((winnerswinner2_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_3 := (not (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner3_best_index_0_0_value when winnerswinner3_best_index_0_0_choice_2 else (not
-        (((winnerswinner2_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner3_best_index_0_0_value;
-      winnerswinner3_best_index_0_0_value_2 := ((winnerswinner2_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_4 := (not (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_2 when winnerswinner3_best_index_0_0_choice_3 else (not
-        (((winnerswinner2_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_2;
-      winnerswinner3_best_index_0_0_value_3 := ((winnerswinner2_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_5 := (not (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_3 when winnerswinner3_best_index_0_0_choice_4 else (not
-        (((winnerswinner2_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_3;
-      winnerswinner3_best_index_0_0_value_4 := ((winnerswinner2_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_6 := (not (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_4 when winnerswinner3_best_index_0_0_choice_5 else (not
-        (((winnerswinner2_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_4;
-      winnerswinner3_best_index_0_0_value_5 := ((winnerswinner2_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner3_best_index_0_0_choice_7 := (not (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner3_best_index_0_0_value_5 when winnerswinner3_best_index_0_0_choice_6 else (not
-        (((winnerswinner2_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner3_best_index_0_0_value_5;
-      winnerswinner3_best_index_0_0_choice_8 := ((winnerswinner2_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner2_best_cost_0_1 / 128) = 1)) when winnerswinner3_best_index_0_0_choice_7 else
-        ((winnerswinner2_best_cost_0_0 / 128) = 1) or (not ((winnerswinner2_best_cost_0_1 / 128) = 1));
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner2_best_cost_0_1 <
-        winnerswinner2_best_cost_0_0 else winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_cost_0_1 <= winnerswinner2_best_cost_0_2;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_index_0_0_choice_8 else
-        winnerswinner2_best_index_0_0;
-      winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
-      winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
-      winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
-      winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
-      winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
-      -- winnerswinner4
-      winnerswinner4_best_index_0_0_choice := (not (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner3_best_cost_0_1 mod 2) = 1)) when (winnerswinner3_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner3_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner4_best_index_0_0_choice_2 := winnerswinner4_best_index_0_0_choice when
-        ((winnerswinner3_best_cost_0_0 / 2) mod 2) = 1 else ((winnerswinner3_best_cost_0_0 mod 2) = 1) and
-        ((winnerswinner3_best_cost_0_1 mod 4) = 0);
-      winnerswinner4_best_index_0_0_value := ((winnerswinner3_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_3 := (not (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner4_best_index_0_0_value when winnerswinner4_best_index_0_0_choice_2 else (not
-        (((winnerswinner3_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner4_best_index_0_0_value;
-      winnerswinner4_best_index_0_0_value_2 := ((winnerswinner3_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_4 := (not (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_2 when winnerswinner4_best_index_0_0_choice_3 else (not
-        (((winnerswinner3_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_2;
-      winnerswinner4_best_index_0_0_value_3 := ((winnerswinner3_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_5 := (not (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_3 when winnerswinner4_best_index_0_0_choice_4 else (not
-        (((winnerswinner3_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_3;
-      winnerswinner4_best_index_0_0_value_4 := ((winnerswinner3_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_6 := (not (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_4 when winnerswinner4_best_index_0_0_choice_5 else (not
-        (((winnerswinner3_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_4;
-      winnerswinner4_best_index_0_0_value_5 := ((winnerswinner3_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner4_best_index_0_0_choice_7 := (not (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner4_best_index_0_0_value_5 when winnerswinner4_best_index_0_0_choice_6 else (not
-        (((winnerswinner3_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner4_best_index_0_0_value_5;
-      winnerswinner4_best_index_0_0_choice_8 := ((winnerswinner3_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner3_best_cost_0_1 / 128) = 1)) when winnerswinner4_best_index_0_0_choice_7 else
-        ((winnerswinner3_best_cost_0_0 / 128) = 1) or (not ((winnerswinner3_best_cost_0_1 / 128) = 1));
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_index_0_0_choice_8 else
-        winnerswinner3_best_index_0_0;
-      winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
-      winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
-      winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
-      winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
-      winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
+        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
+        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)) when
+        winnerswinner2_four_index_0_0_choice else winnerswinner2_four_index_0_0_value_3 or ((not
+        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
+        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1))) when
+        winnerswinner2_four_index_0_0_choice_2 else winnerswinner2_four_index_0_0_value_4 and (not
+        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
+        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)))
+        when winnerswinner2_four_index_0_0_choice_3 else winnerswinner2_four_index_0_0_value_5 and (not
+        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
+        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)))
+        when winnerswinner2_four_index_0_0_choice_4 else winnerswinner2_four_index_0_0_value_6 and (not
+        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+      winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1;
+      winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 or ((not
+        (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1)))
+        when winnerswinner2_four_index_0_0_choice_5 else winnerswinner2_four_index_0_0_value_7 and (not
+        (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1));
+      winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
+        (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1)) when
+        winnerswinner2_four_index_0_0_choice_6 else (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
+        ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
+      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_8 else winnerswinner1_best_cost_0_0;
+      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_8 else 0;
+      winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
+      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_8 else
+        winnerswinner1_best_index_0_0;
+      winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
+      winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
+      winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
+      winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
+      winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
+      winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_7 else
+        winnerswinner2_pair_index_0_0;
+      winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
+      winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
+      winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
+      winnerswinner2_four_tag_start_of_frame <= winnerswinner2_pair_tag_start_of_frame;
+      winnerswinner2_four_tag_end_of_line <= winnerswinner2_pair_tag_end_of_line;
+      winnerswinner2_best_index_0_0 <= winnerswinner2_four_index_0_0;
+      winnerswinner2_tag_valid <= winnerswinner2_four_tag_valid;
+      winnerswinner2_tag_map_column <= winnerswinner2_four_tag_map_column;
+      winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
+      winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
+      winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
       -- winners
-      winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
-      winners_best_tag_valid <= winnerswinner4_tag_valid;
-      winners_best_tag_map_column <= winnerswinner4_tag_map_column;
-      winners_best_tag_output_column <= winnerswinner4_tag_output_column;
-      winners_best_tag_start_of_frame <= winnerswinner4_tag_start_of_frame;
-      winners_best_tag_end_of_line <= winnerswinner4_tag_end_of_line;
+      winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
+      winners_best_tag_valid <= winnerswinner2_tag_valid;
+      winners_best_tag_map_column <= winnerswinner2_tag_map_column;
+      winners_best_tag_output_column <= winnerswinner2_tag_output_column;
+      winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
+      winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_address_choice := 0 when turn_order_falls else 7;
@@ -2606,10 +2770,12 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 12;
@@ -2695,12 +2861,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
+        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
-        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
@@ -2741,6 +2907,10 @@ begin
         sums_turn_comes_2 <= false;
         sums_turn_comes_3 <= false;
         sums_turn_comes_4 <= false;
+        sums_turn_comes_5 <= false;
+        sums_turn_comes_6 <= false;
+        sums_turn_comes_7 <= false;
+        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -2774,26 +2944,36 @@ begin
         sums_tags_held_4_start_of_frame <= false;
         sums_tags_held_4_end_of_line <= false;
         sums_tags_moved <= false;
+        winnerswinner1_pair_tag_valid <= false;
+        winnerswinner1_pair_tag_map_column <= false;
+        winnerswinner1_pair_tag_output_column <= false;
+        winnerswinner1_pair_tag_start_of_frame <= false;
+        winnerswinner1_pair_tag_end_of_line <= false;
+        winnerswinner1_four_tag_valid <= false;
+        winnerswinner1_four_tag_map_column <= false;
+        winnerswinner1_four_tag_output_column <= false;
+        winnerswinner1_four_tag_start_of_frame <= false;
+        winnerswinner1_four_tag_end_of_line <= false;
         winnerswinner1_tag_valid <= false;
         winnerswinner1_tag_map_column <= false;
         winnerswinner1_tag_output_column <= false;
         winnerswinner1_tag_start_of_frame <= false;
         winnerswinner1_tag_end_of_line <= false;
+        winnerswinner2_pair_tag_valid <= false;
+        winnerswinner2_pair_tag_map_column <= false;
+        winnerswinner2_pair_tag_output_column <= false;
+        winnerswinner2_pair_tag_start_of_frame <= false;
+        winnerswinner2_pair_tag_end_of_line <= false;
+        winnerswinner2_four_tag_valid <= false;
+        winnerswinner2_four_tag_map_column <= false;
+        winnerswinner2_four_tag_output_column <= false;
+        winnerswinner2_four_tag_start_of_frame <= false;
+        winnerswinner2_four_tag_end_of_line <= false;
         winnerswinner2_tag_valid <= false;
         winnerswinner2_tag_map_column <= false;
         winnerswinner2_tag_output_column <= false;
         winnerswinner2_tag_start_of_frame <= false;
         winnerswinner2_tag_end_of_line <= false;
-        winnerswinner3_tag_valid <= false;
-        winnerswinner3_tag_map_column <= false;
-        winnerswinner3_tag_output_column <= false;
-        winnerswinner3_tag_start_of_frame <= false;
-        winnerswinner3_tag_end_of_line <= false;
-        winnerswinner4_tag_valid <= false;
-        winnerswinner4_tag_map_column <= false;
-        winnerswinner4_tag_output_column <= false;
-        winnerswinner4_tag_start_of_frame <= false;
-        winnerswinner4_tag_end_of_line <= false;
         winners_best_tag_valid <= false;
         winners_best_tag_map_column <= false;
         winners_best_tag_output_column <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_median: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pairs a clock.
+-- Stereo core, trellis, configuration tiny_trellis_median: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
 -- Options: disparities 12, median true, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_median
@@ -17,7 +17,7 @@ entity stereo_core_tiny_trellis_median is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 34;
+    latency_clocks : positive := 39;
     flush_groups : positive := 245;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_median: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_trellis_median: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_trellis_median: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 34 report "stereo_core_tiny_trellis_median: latency_clocks is " & integer'image(latency_clocks) & " but this core has 34" severity failure;
+  assert latency_clocks = 39 report "stereo_core_tiny_trellis_median: latency_clocks is " & integer'image(latency_clocks) & " but this core has 39" severity failure;
   assert flush_groups = 245 report "stereo_core_tiny_trellis_median: flush_groups is " & integer'image(flush_groups) & " but this core has 245" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_trellis_median: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_trellis_median is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_trellis_median is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -137,10 +135,10 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
   signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
   signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -150,15 +148,15 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
-  signal raster_features_start_of_frame, raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
-  signal delay_ring_read_address, delay_ring_write_address, delay_row_inside_0, delay_row_inside_1 : boolean;
-  signal delay_row_inside_2, delay_tag_valid, delay_tag_border_column, delay_tag_first_cost : boolean;
-  signal delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
   signal delay_ahead_0, delay_delayed_0 : natural range 0 to 16777215;
   signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_row_inside_2, delay_tag_valid, delay_tag_border_column : boolean;
+  signal delay_tag_first_cost, delay_tag_map_column, delay_tag_output_column, delay_tag_start_of_frame : boolean;
+  signal delay_tag_end_of_line : boolean;
   -- rows
   signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0, rows_reference_rows_read_words_1 : unsigned(23 downto 0);
@@ -257,14 +255,21 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
   -- slice0window
@@ -274,9 +279,9 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal slice0window_partial_0_1_3, slice0window_partial_0_1_4 : natural range 0 to 144;
   signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
   signal slice0window_centre_first_column_0, slice0window_centre_start_of_frame_0 : boolean;
-  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_row_start : boolean;
-  signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_first_column : boolean;
-  signal slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_centre_end_of_line_0, slice0window_tag_valid, slice0window_tag_map_column : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_tag_end_of_line : boolean;
   signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 216;
   signal slice0window_sum_0_3, slice0window_sum_0_4 : natural range 0 to 216;
   -- slice0
@@ -362,6 +367,10 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
   signal slice1cost_tag_border_column : boolean;
@@ -406,6 +415,8 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -510,25 +521,38 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal fill_out_disparity_0 : natural range 0 to 255;
   signal fill_out_passed_0, fill_out_tag_map_column : boolean;
   -- map
-  signal map_counter_column, map_read_column, map_ready_column, map_write_column, map_at_column : natural range 0 to 31;
+  signal map_counter_column, map_write_column, map_at_column, map_comparing_column : natural range 0 to 31;
+  signal map_sorted_column : natural range 0 to 31;
   signal map_counter_group : natural range 0 to 15;
+  signal map_counter_next_frame, map_arrives, map_behind, map_line_ended, map_read_bottom, map_at_arrives : boolean;
+  signal map_at_behind, map_at_top, map_at_output, map_of_column_0_b_below_a, map_of_column_0_c_below_a : boolean;
+  signal map_of_column_0_c_below_b, map_column_passed_0_0, map_column_passed_1_0, map_comparing_arrives : boolean;
+  signal map_comparing_behind, map_comparing_top, map_comparing_output, map_sorted_arrives, map_sorted_behind : boolean;
+  signal map_sorted_top, map_sorted_output, map_passed_0_0, map_passed_1_0, map_window_complete : boolean;
+  signal map_window_first, map_window_last, map_of_low_0_b_below_a, map_of_low_0_c_below_a : boolean;
+  signal map_of_low_0_c_below_b, map_of_middle_0_b_below_a, map_of_middle_0_c_below_a : boolean;
+  signal map_of_middle_0_c_below_b, map_of_high_0_b_below_a, map_of_high_0_c_below_a, map_of_high_0_c_below_b : boolean;
+  signal map_of_all_0_b_below_a, map_of_all_0_c_below_a, map_of_all_0_c_below_b, map_waiting_0_complete : boolean;
+  signal map_waiting_0_first, map_waiting_0_last, map_waiting_1_complete, map_waiting_1_first : boolean;
+  signal map_waiting_1_last, map_waiting_2_complete, map_waiting_2_first, map_waiting_2_last : boolean;
+  signal map_waiting_passed_0_0, map_waiting_passed_1_0, map_waiting_passed_2_0, map_out_passed_0 : boolean;
+  signal map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_newest_0, map_rows_read_newest_0, map_rows_ready_newest_0, map_column_1 : natural range 0 to 511;
   signal map_column_2 : natural range 0 to 511;
-  signal map_arrives, map_behind, map_line_ended, map_read_arrives, map_read_behind, map_read_top : boolean;
-  signal map_read_output, map_ready_arrives, map_ready_behind, map_ready_top, map_ready_output : boolean;
-  signal map_at_arrives, map_at_behind, map_at_top, map_at_output, map_passed_0_0, map_passed_1_0 : boolean;
-  signal map_complete, map_first, map_last, map_waiting_passed_0, map_waiting_valid : boolean;
-  signal map_waiting_start_of_frame, map_waiting_end_of_line, map_out_passed_0, map_out_valid : boolean;
-  signal map_out_start_of_frame, map_out_end_of_line : boolean;
   signal map_rows_read_words_0 : unsigned(17 downto 0);
   signal map_rows_ready_words_0, map_rows_write_words_0 : natural range 0 to 262143;
-  signal map_low_0_0, map_low_1_0, map_low_2_0, map_middle_0_0, map_middle_1_0, map_middle_2_0 : natural range 0 to 255;
-  signal map_high_0_0, map_high_1_0, map_high_2_0, map_largest_low_0, map_median_middle_0 : natural range 0 to 255;
-  signal map_smallest_high_0, map_out_disparity_0 : natural range 0 to 255;
+  signal map_of_column_0_a, map_of_column_0_b, map_of_column_0_c, map_sorted_low_0 : natural range 0 to 255;
+  signal map_sorted_middle_0, map_sorted_high_0, map_low_0_0, map_low_1_0, map_low_2_0 : natural range 0 to 255;
+  signal map_middle_0_0, map_middle_1_0, map_middle_2_0, map_high_0_0, map_high_1_0 : natural range 0 to 255;
+  signal map_high_2_0, map_of_low_0_a, map_of_low_0_b, map_of_low_0_c, map_of_middle_0_a : natural range 0 to 255;
+  signal map_of_middle_0_b, map_of_middle_0_c, map_of_high_0_a, map_of_high_0_b : natural range 0 to 255;
+  signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
+  signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0, other_1, other_2, other_4 : natural range 0 to 257;
-  signal other_3 : natural range 0 to 510;
-  signal other_5 : boolean;
+  signal other_0, other_1, other_2, other_7 : natural range 0 to 257;
+  signal other_3, other_5 : unsigned(48 downto 0);
+  signal other_4 : natural range 0 to 510;
+  signal other_6 : boolean;
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
@@ -833,615 +857,118 @@ begin
     variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
     variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable transform_counter_next_frame_choice, raster_features_start_of_frame_is_equal : boolean;
-    variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2, delay_ring_write_address_is_equal : boolean;
-    variable delay_ring_write_address_is_equal_2, delay_ring_write_address_choice : boolean;
-    variable delay_ring_write_address_choice_2, delay_ring_write_address_is_equal_3 : boolean;
-    variable delay_ring_write_address_all, delay_ring_write_address_choice_3 : boolean;
-    variable delay_ring_write_address_choice_4, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
-    variable delay_tag_map_column_is_less, slice0cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_3, slice0cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_2, slice0cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_6, slice0cost_pixels_first_0_0_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice, slice0cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_4, slice0cost_pixels_first_0_0_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_4, slice0cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_5, slice0cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_2, slice0cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_2, slice0cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_6, slice0cost_pixels_first_0_0_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value, slice0cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_4, slice0cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_5, slice0cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_3, slice0cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_2, slice0cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_2, slice0cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_6, slice0cost_pixels_first_0_0_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value, slice0cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice, slice0cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_3, slice0cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice_2, slice0cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_2, slice0cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice, slice0cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice, slice0cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_3, slice0cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_2, slice0cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice, slice0cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_3, slice0cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_2, slice0cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice, slice0cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_3, slice0cost_pixels_first_0_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice_2, slice0cost_pixels_first_0_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_2, slice0cost_pixels_first_0_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice, slice0cost_pixels_first_0_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice, slice0cost_pixels_first_0_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_3, slice0cost_pixels_first_0_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_2, slice0cost_pixels_first_0_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice, slice0cost_pixels_first_0_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_3, slice0cost_pixels_first_0_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_2, slice0cost_pixels_first_0_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice, slice0cost_pixels_first_0_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_3, slice0cost_pixels_first_0_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice_2, slice0cost_pixels_first_0_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_2, slice0cost_pixels_first_0_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice, slice0cost_pixels_first_0_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice, slice0cost_pixels_first_0_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_3, slice0cost_pixels_first_0_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_2, slice0cost_pixels_first_0_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice, slice0cost_pixels_first_0_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_3, slice0cost_pixels_first_0_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_2, slice0cost_pixels_first_0_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice, slice0cost_pixels_first_0_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_3, slice0cost_pixels_first_0_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice_2, slice0cost_pixels_first_0_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_2, slice0cost_pixels_first_0_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice, slice0cost_pixels_first_0_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice, slice0cost_pixels_first_0_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_3, slice0cost_pixels_first_0_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_2, slice0cost_pixels_first_0_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice, slice0cost_pixels_first_0_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_3, slice0cost_pixels_first_0_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_2, slice0cost_pixels_first_0_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice, slice0cost_pixels_first_0_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_3, slice0cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_3, slice0cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_2, slice0cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_6, slice0cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4 : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_0_value_2, slice0cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_2, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_2_value, slice0cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice, slice0cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_4, slice0cost_pixels_first_1_0_count_2_choice_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_3_value, slice0cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_4, slice0cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_5, slice0cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_3, slice0cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_2, slice0cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_6, slice0cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_2, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_5_value, slice0cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_4, slice0cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_5, slice0cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_2, slice0cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_6, slice0cost_pixels_first_1_0_count_6_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_2, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_7_value, slice0cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice, slice0cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_3, slice0cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_3, slice0cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice_2, slice0cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_2, slice0cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice, slice0cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice, slice0cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_3, slice0cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_2, slice0cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice, slice0cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_3, slice0cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_2, slice0cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice, slice0cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_3, slice0cost_pixels_first_1_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice_2, slice0cost_pixels_first_1_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_2, slice0cost_pixels_first_1_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice, slice0cost_pixels_first_1_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice, slice0cost_pixels_first_1_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_3, slice0cost_pixels_first_1_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_2, slice0cost_pixels_first_1_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice, slice0cost_pixels_first_1_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_3, slice0cost_pixels_first_1_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_2, slice0cost_pixels_first_1_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice, slice0cost_pixels_first_1_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_3, slice0cost_pixels_first_1_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_0_choice_2, slice0cost_pixels_first_1_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice_2, slice0cost_pixels_first_1_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_2_choice, slice0cost_pixels_first_1_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice, slice0cost_pixels_first_1_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice_3, slice0cost_pixels_first_1_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice_2, slice0cost_pixels_first_1_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice, slice0cost_pixels_first_1_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice_3, slice0cost_pixels_first_1_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice_2, slice0cost_pixels_first_1_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice, slice0cost_pixels_first_1_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice_3, slice0cost_pixels_first_1_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_0_choice_2, slice0cost_pixels_first_1_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice_2, slice0cost_pixels_first_1_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_2_choice, slice0cost_pixels_first_1_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice, slice0cost_pixels_first_1_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice_3, slice0cost_pixels_first_1_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice_2, slice0cost_pixels_first_1_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice, slice0cost_pixels_first_1_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice_3, slice0cost_pixels_first_1_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice_2, slice0cost_pixels_first_1_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice, slice0cost_pixels_first_1_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice_3, slice0cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_3, slice0cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_2, slice0cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_6, slice0cost_pixels_first_2_0_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice, slice0cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_4, slice0cost_pixels_first_2_0_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_4, slice0cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_5, slice0cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_2, slice0cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_2, slice0cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_6, slice0cost_pixels_first_2_0_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value, slice0cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_4, slice0cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_5, slice0cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_3, slice0cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_2, slice0cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_2, slice0cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_6, slice0cost_pixels_first_2_0_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value, slice0cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice, slice0cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_3, slice0cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_3, slice0cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice_2, slice0cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_2, slice0cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice, slice0cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice, slice0cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_3, slice0cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_2, slice0cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice, slice0cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_3, slice0cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_2, slice0cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice, slice0cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_3, slice0cost_pixels_first_2_2_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice_2, slice0cost_pixels_first_2_2_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_2, slice0cost_pixels_first_2_2_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice, slice0cost_pixels_first_2_2_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice, slice0cost_pixels_first_2_2_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_3, slice0cost_pixels_first_2_2_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_2, slice0cost_pixels_first_2_2_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice, slice0cost_pixels_first_2_2_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_3, slice0cost_pixels_first_2_2_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_2, slice0cost_pixels_first_2_2_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice, slice0cost_pixels_first_2_2_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_3, slice0cost_pixels_first_2_3_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_0_choice_2, slice0cost_pixels_first_2_3_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice_2, slice0cost_pixels_first_2_3_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_2_choice, slice0cost_pixels_first_2_3_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice, slice0cost_pixels_first_2_3_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice_3, slice0cost_pixels_first_2_3_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice_2, slice0cost_pixels_first_2_3_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice, slice0cost_pixels_first_2_3_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice_3, slice0cost_pixels_first_2_3_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice_2, slice0cost_pixels_first_2_3_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice, slice0cost_pixels_first_2_3_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice_3, slice0cost_pixels_first_2_4_count_0_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_0_choice_2, slice0cost_pixels_first_2_4_count_1_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice_2, slice0cost_pixels_first_2_4_count_1_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_2_choice, slice0cost_pixels_first_2_4_count_2_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice, slice0cost_pixels_first_2_4_count_3_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice_3, slice0cost_pixels_first_2_4_count_4_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice_2, slice0cost_pixels_first_2_4_count_4_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice, slice0cost_pixels_first_2_4_count_5_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice_3, slice0cost_pixels_first_2_4_count_6_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice_2, slice0cost_pixels_first_2_4_count_6_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice, slice0cost_pixels_first_2_4_count_7_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice_3, slice0window_tag_row_start_choice : boolean;
-    variable slice0window_tag_row_start_choice_2, slice0window_tag_row_start_choice_3 : boolean;
-    variable slice0window_tag_row_start_choice_4, slice1cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_3, slice1cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_2, slice1cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_6, slice1cost_pixels_first_0_0_count_1_choice_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice, slice1cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_4, slice1cost_pixels_first_0_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_4, slice1cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_5, slice1cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_2, slice1cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_6, slice1cost_pixels_first_0_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_4, slice1cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_5, slice1cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_2, slice1cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_6, slice1cost_pixels_first_0_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice, slice1cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_3, slice1cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice_2, slice1cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_2, slice1cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice, slice1cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice, slice1cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_3, slice1cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_2, slice1cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice, slice1cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_3, slice1cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_2, slice1cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice, slice1cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_3, slice1cost_pixels_first_0_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice_2, slice1cost_pixels_first_0_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_2, slice1cost_pixels_first_0_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice, slice1cost_pixels_first_0_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice, slice1cost_pixels_first_0_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_3, slice1cost_pixels_first_0_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_2, slice1cost_pixels_first_0_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice, slice1cost_pixels_first_0_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_3, slice1cost_pixels_first_0_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_2, slice1cost_pixels_first_0_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice, slice1cost_pixels_first_0_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_3, slice1cost_pixels_first_0_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice_2, slice1cost_pixels_first_0_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_2, slice1cost_pixels_first_0_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice, slice1cost_pixels_first_0_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice, slice1cost_pixels_first_0_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_3, slice1cost_pixels_first_0_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_2, slice1cost_pixels_first_0_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice, slice1cost_pixels_first_0_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_3, slice1cost_pixels_first_0_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_2, slice1cost_pixels_first_0_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice, slice1cost_pixels_first_0_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_3, slice1cost_pixels_first_0_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice_2, slice1cost_pixels_first_0_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_2, slice1cost_pixels_first_0_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice, slice1cost_pixels_first_0_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice, slice1cost_pixels_first_0_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_3, slice1cost_pixels_first_0_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_2, slice1cost_pixels_first_0_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice, slice1cost_pixels_first_0_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_3, slice1cost_pixels_first_0_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_2, slice1cost_pixels_first_0_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice, slice1cost_pixels_first_0_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_3, slice1cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_3, slice1cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_choice_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice_2, slice1cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_6, slice1cost_pixels_first_1_0_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_choice, slice1cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_4, slice1cost_pixels_first_1_0_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_4, slice1cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_5, slice1cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice_2, slice1cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_6, slice1cost_pixels_first_1_0_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_4, slice1cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_5, slice1cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice_2, slice1cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_6, slice1cost_pixels_first_1_0_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice, slice1cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_3, slice1cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice_3, slice1cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_0_choice_2, slice1cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice_2, slice1cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_2_choice, slice1cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice, slice1cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice_3, slice1cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice_2, slice1cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice, slice1cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice_3, slice1cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice_2, slice1cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice, slice1cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice_3, slice1cost_pixels_first_1_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_0_choice_2, slice1cost_pixels_first_1_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice_2, slice1cost_pixels_first_1_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_2_choice, slice1cost_pixels_first_1_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice, slice1cost_pixels_first_1_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice_3, slice1cost_pixels_first_1_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice_2, slice1cost_pixels_first_1_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice, slice1cost_pixels_first_1_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice_3, slice1cost_pixels_first_1_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice_2, slice1cost_pixels_first_1_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice, slice1cost_pixels_first_1_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice_3, slice1cost_pixels_first_1_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_0_choice_2, slice1cost_pixels_first_1_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice_2, slice1cost_pixels_first_1_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_2_choice, slice1cost_pixels_first_1_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice, slice1cost_pixels_first_1_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice_3, slice1cost_pixels_first_1_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice_2, slice1cost_pixels_first_1_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice, slice1cost_pixels_first_1_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice_3, slice1cost_pixels_first_1_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice_2, slice1cost_pixels_first_1_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice, slice1cost_pixels_first_1_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice_3, slice1cost_pixels_first_1_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_0_choice_2, slice1cost_pixels_first_1_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice_2, slice1cost_pixels_first_1_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_2_choice, slice1cost_pixels_first_1_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice, slice1cost_pixels_first_1_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice_3, slice1cost_pixels_first_1_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice_2, slice1cost_pixels_first_1_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice, slice1cost_pixels_first_1_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice_3, slice1cost_pixels_first_1_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice_2, slice1cost_pixels_first_1_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice, slice1cost_pixels_first_1_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice_3, slice1cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_3, slice1cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_choice_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice_2, slice1cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_6, slice1cost_pixels_first_2_0_count_1_choice_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_0_value_2, slice1cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_2, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_2_value, slice1cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_choice, slice1cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_4, slice1cost_pixels_first_2_0_count_2_choice_2 : boolean;
     variable slice1cost_pixels_first_2_0_count_3_value, slice1cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_4, slice1cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_5, slice1cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice_2, slice1cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_6, slice1cost_pixels_first_2_0_count_4_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_2, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_5_value, slice1cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_4, slice1cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_5, slice1cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice_2, slice1cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_6, slice1cost_pixels_first_2_0_count_6_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_2, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_7_value, slice1cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice, slice1cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_3, slice1cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice_3, slice1cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_0_choice_2, slice1cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice_2, slice1cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_2_choice, slice1cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice, slice1cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice_3, slice1cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice_2, slice1cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice, slice1cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice_3, slice1cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice_2, slice1cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice, slice1cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice_3, slice1cost_pixels_first_2_2_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_0_choice_2, slice1cost_pixels_first_2_2_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice_2, slice1cost_pixels_first_2_2_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_2_choice, slice1cost_pixels_first_2_2_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice, slice1cost_pixels_first_2_2_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice_3, slice1cost_pixels_first_2_2_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice_2, slice1cost_pixels_first_2_2_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice, slice1cost_pixels_first_2_2_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice_3, slice1cost_pixels_first_2_2_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice_2, slice1cost_pixels_first_2_2_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice, slice1cost_pixels_first_2_2_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice_3, slice1cost_pixels_first_2_3_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_0_choice_2, slice1cost_pixels_first_2_3_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice_2, slice1cost_pixels_first_2_3_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_2_choice, slice1cost_pixels_first_2_3_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice, slice1cost_pixels_first_2_3_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice_3, slice1cost_pixels_first_2_3_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice_2, slice1cost_pixels_first_2_3_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice, slice1cost_pixels_first_2_3_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice_3, slice1cost_pixels_first_2_3_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice_2, slice1cost_pixels_first_2_3_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice, slice1cost_pixels_first_2_3_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice_3, slice1cost_pixels_first_2_4_count_0_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_0_choice_2, slice1cost_pixels_first_2_4_count_1_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice_2, slice1cost_pixels_first_2_4_count_1_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_2_choice, slice1cost_pixels_first_2_4_count_2_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice, slice1cost_pixels_first_2_4_count_3_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice_3, slice1cost_pixels_first_2_4_count_4_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice_2, slice1cost_pixels_first_2_4_count_4_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice, slice1cost_pixels_first_2_4_count_5_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice_3, slice1cost_pixels_first_2_4_count_6_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice_2, slice1cost_pixels_first_2_4_count_6_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice, slice1cost_pixels_first_2_4_count_7_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice_3, slice2cost_pixels_first_0_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_3, slice2cost_pixels_first_0_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_2, slice2cost_pixels_first_0_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_6, slice2cost_pixels_first_0_0_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice, slice2cost_pixels_first_0_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_4, slice2cost_pixels_first_0_0_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_4, slice2cost_pixels_first_0_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_5, slice2cost_pixels_first_0_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_2, slice2cost_pixels_first_0_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_6, slice2cost_pixels_first_0_0_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_4, slice2cost_pixels_first_0_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_5, slice2cost_pixels_first_0_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_2, slice2cost_pixels_first_0_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_6, slice2cost_pixels_first_0_0_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value, slice2cost_pixels_first_0_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice, slice2cost_pixels_first_0_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_3, slice2cost_pixels_first_0_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice_2, slice2cost_pixels_first_0_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_2, slice2cost_pixels_first_0_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice, slice2cost_pixels_first_0_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice, slice2cost_pixels_first_0_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_3, slice2cost_pixels_first_0_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_2, slice2cost_pixels_first_0_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice, slice2cost_pixels_first_0_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_3, slice2cost_pixels_first_0_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_2, slice2cost_pixels_first_0_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice, slice2cost_pixels_first_0_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_3, slice2cost_pixels_first_1_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_3, slice2cost_pixels_first_1_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_choice_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice_2, slice2cost_pixels_first_1_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_6, slice2cost_pixels_first_1_0_count_1_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_0_value_2, slice2cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_2, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_2_value, slice2cost_pixels_first_1_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_choice, slice2cost_pixels_first_1_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_4, slice2cost_pixels_first_1_0_count_2_choice_2 : boolean;
     variable slice2cost_pixels_first_1_0_count_3_value, slice2cost_pixels_first_1_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_4, slice2cost_pixels_first_1_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_5, slice2cost_pixels_first_1_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice_2, slice2cost_pixels_first_1_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_6, slice2cost_pixels_first_1_0_count_4_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_2, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_5_value, slice2cost_pixels_first_1_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_4, slice2cost_pixels_first_1_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_5, slice2cost_pixels_first_1_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice_2, slice2cost_pixels_first_1_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_6, slice2cost_pixels_first_1_0_count_6_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_2, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_7_value, slice2cost_pixels_first_1_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice, slice2cost_pixels_first_1_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_3, slice2cost_pixels_first_1_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice_3, slice2cost_pixels_first_1_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_0_choice_2, slice2cost_pixels_first_1_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice_2, slice2cost_pixels_first_1_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_2_choice, slice2cost_pixels_first_1_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice, slice2cost_pixels_first_1_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice_3, slice2cost_pixels_first_1_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice_2, slice2cost_pixels_first_1_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice, slice2cost_pixels_first_1_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice_3, slice2cost_pixels_first_1_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice_2, slice2cost_pixels_first_1_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice, slice2cost_pixels_first_1_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice_3, slice2cost_pixels_first_2_0_count_0_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_3, slice2cost_pixels_first_2_0_count_0_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_choice_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_1_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice_2, slice2cost_pixels_first_2_0_count_1_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_6, slice2cost_pixels_first_2_0_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_choice, slice2cost_pixels_first_2_0_count_2_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_4, slice2cost_pixels_first_2_0_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_4, slice2cost_pixels_first_2_0_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_5, slice2cost_pixels_first_2_0_count_3_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_4_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice_2, slice2cost_pixels_first_2_0_count_4_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_6, slice2cost_pixels_first_2_0_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_4, slice2cost_pixels_first_2_0_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_5, slice2cost_pixels_first_2_0_count_5_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_6_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice_2, slice2cost_pixels_first_2_0_count_6_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_6, slice2cost_pixels_first_2_0_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice, slice2cost_pixels_first_2_0_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_3, slice2cost_pixels_first_2_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice_3, slice2cost_pixels_first_2_1_count_0_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_0_choice_2, slice2cost_pixels_first_2_1_count_1_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice_2, slice2cost_pixels_first_2_1_count_1_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_2_choice, slice2cost_pixels_first_2_1_count_2_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice, slice2cost_pixels_first_2_1_count_3_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice_3, slice2cost_pixels_first_2_1_count_4_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice_2, slice2cost_pixels_first_2_1_count_4_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice, slice2cost_pixels_first_2_1_count_5_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice_3, slice2cost_pixels_first_2_1_count_6_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice_2, slice2cost_pixels_first_2_1_count_6_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice, slice2cost_pixels_first_2_1_count_7_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice_3, entry_order_address_all, entry_order_address_all_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
     variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable entry_order_falls_choice, forward_path_0_value, forward_path_1_value, forward_path_1_all : boolean;
-    variable forward_path_1_value_2, forward_path_2_value, forward_path_2_all, forward_path_2_value_2 : boolean;
-    variable forward_path_3_value, forward_path_3_all, forward_path_3_value_2, forward_path_4_value : boolean;
-    variable forward_path_4_all, forward_path_4_value_2, forward_path_5_value, forward_path_5_all : boolean;
-    variable forward_path_5_value_2, forward_path_6_value, forward_path_6_all, forward_path_6_value_2 : boolean;
-    variable forward_path_7_value, forward_path_7_all, forward_path_7_value_2, forward_path_8_value : boolean;
-    variable forward_path_8_all, forward_path_8_value_2, forward_path_9_value, forward_path_9_all : boolean;
-    variable forward_path_9_value_2, forward_path_10_value, forward_path_10_all, forward_path_10_value_2 : boolean;
-    variable forward_path_11_value, forward_path_11_all, forward_path_11_value_2, forward_dropped_0_value : boolean;
+    variable forward_path_0_value, forward_path_1_any, forward_path_1_value, forward_path_2_any : boolean;
+    variable forward_path_2_value, forward_path_3_any, forward_path_3_value, forward_path_4_any : boolean;
+    variable forward_path_4_value, forward_path_5_any, forward_path_5_value, forward_path_6_any : boolean;
+    variable forward_path_6_value, forward_path_7_any, forward_path_7_value, forward_path_8_any : boolean;
+    variable forward_path_8_value, forward_path_9_any, forward_path_9_value, forward_path_10_any : boolean;
+    variable forward_path_10_value, forward_path_11_any, forward_path_11_value, forward_dropped_0_value : boolean;
     variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
-    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_0_any, forward_far_0_choice : boolean;
-    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
-    variable forward_far_5_choice, decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any, forward_far_1_choice : boolean;
+    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
+    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
     variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
     variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
     variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
@@ -1450,35 +977,119 @@ begin
     variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
     variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
     variable turn_order_address_all_2, turn_order_complete_any, fill_out_disparity_0_all : boolean;
-    variable map_counter_group_choice_2, map_line_ended_choice, map_passed_1_0_all, map_complete_choice : boolean;
-    variable map_complete_choice_2, map_median_middle_0_is_less, map_out_disparity_0_is_less : boolean;
-    variable map_low_0_0_is_less, map_low_1_0_all, map_middle_0_0_is_less : boolean;
+    variable map_counter_column_is_equal, map_counter_group_is_equal, map_counter_group_all : boolean;
+    variable map_counter_group_is_equal_2, map_counter_group_choice_2, map_counter_group_is_equal_3 : boolean;
+    variable map_counter_next_frame_choice, map_counter_next_frame_choice_2, map_counter_next_frame_choice_3 : boolean;
+    variable map_counter_next_frame_choice_4, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_b_below_a_value_5 : boolean;
+    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_6 : boolean;
+    variable map_of_column_0_b_below_a_value_7, map_of_column_0_b_below_a_value_8 : boolean;
+    variable map_of_column_0_b_below_a_choice_7, map_of_column_0_b_below_a_value_9 : boolean;
+    variable map_of_column_0_b_below_a_value_10, map_of_column_0_b_below_a_choice_8 : boolean;
+    variable map_of_column_0_b_below_a_value_11, map_of_column_0_b_below_a_value_12 : boolean;
+    variable map_of_column_0_b_below_a_choice_9, map_of_column_0_c_below_a_value : boolean;
+    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
+    variable map_of_column_0_c_below_a_value_4, map_of_column_0_c_below_a_choice_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_8, map_of_column_0_c_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value_5, map_of_column_0_c_below_a_choice_10 : boolean;
+    variable map_of_column_0_c_below_a_choice_11, map_of_column_0_c_below_a_choice_12 : boolean;
+    variable map_of_column_0_c_below_a_value_6, map_of_column_0_c_below_a_choice_13 : boolean;
+    variable map_of_column_0_c_below_a_choice_14, map_of_column_0_c_below_a_choice_15 : boolean;
+    variable map_of_column_0_c_below_a_value_7, map_of_column_0_c_below_a_choice_16 : boolean;
+    variable map_of_column_0_c_below_a_choice_17, map_of_column_0_c_below_a_choice_18 : boolean;
+    variable map_of_column_0_c_below_a_choice_19, map_of_column_0_c_below_a_choice_20 : boolean;
+    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
+    variable map_of_column_0_c_below_b_choice_3, map_of_column_0_c_below_b_choice_4 : boolean;
+    variable map_of_column_0_c_below_b_choice_5, map_of_column_0_c_below_b_choice_6, map_window_complete_all : boolean;
+    variable map_window_complete_choice, map_window_complete_choice_2, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
+    variable map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_4 : boolean;
+    variable map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7, map_of_low_0_b_below_a_choice_5 : boolean;
+    variable map_of_low_0_b_below_a_value_8, map_of_low_0_b_below_a_value_9, map_of_low_0_b_below_a_choice_6 : boolean;
+    variable map_of_low_0_b_below_a_value_10, map_of_low_0_b_below_a_value_11 : boolean;
+    variable map_of_low_0_b_below_a_choice_7, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
+    variable map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
+    variable map_of_low_0_c_below_a_choice_4, map_of_low_0_c_below_a_choice_5 : boolean;
+    variable map_of_low_0_c_below_a_choice_6, map_of_low_0_c_below_a_choice_7, map_of_low_0_c_below_b_choice : boolean;
+    variable map_of_low_0_c_below_b_choice_2, map_of_low_0_c_below_b_choice_3 : boolean;
+    variable map_of_low_0_c_below_b_choice_4, map_of_low_0_c_below_b_choice_5 : boolean;
+    variable map_of_low_0_c_below_b_choice_6, map_of_low_0_c_below_b_choice_7 : boolean;
+    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
+    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_2 : boolean;
+    variable map_of_middle_0_b_below_a_value_2, map_of_middle_0_b_below_a_value_3 : boolean;
+    variable map_of_middle_0_b_below_a_choice_3, map_of_middle_0_b_below_a_value_4 : boolean;
+    variable map_of_middle_0_b_below_a_value_5, map_of_middle_0_b_below_a_choice_4 : boolean;
+    variable map_of_middle_0_b_below_a_value_6, map_of_middle_0_b_below_a_value_7 : boolean;
+    variable map_of_middle_0_b_below_a_choice_5, map_of_middle_0_b_below_a_value_8 : boolean;
+    variable map_of_middle_0_b_below_a_value_9, map_of_middle_0_b_below_a_choice_6 : boolean;
+    variable map_of_middle_0_b_below_a_value_10, map_of_middle_0_b_below_a_value_11 : boolean;
+    variable map_of_middle_0_b_below_a_choice_7, map_of_middle_0_c_below_a_value : boolean;
+    variable map_of_middle_0_c_below_a_choice, map_of_middle_0_c_below_a_choice_2 : boolean;
+    variable map_of_middle_0_c_below_a_choice_3, map_of_middle_0_c_below_a_choice_4 : boolean;
+    variable map_of_middle_0_c_below_a_choice_5, map_of_middle_0_c_below_a_choice_6 : boolean;
+    variable map_of_middle_0_c_below_a_choice_7, map_of_middle_0_c_below_b_choice : boolean;
+    variable map_of_middle_0_c_below_b_choice_2, map_of_middle_0_c_below_b_choice_3 : boolean;
+    variable map_of_middle_0_c_below_b_choice_4, map_of_middle_0_c_below_b_choice_5 : boolean;
+    variable map_of_middle_0_c_below_b_choice_6, map_of_middle_0_c_below_b_choice_7 : boolean;
+    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
+    variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3 : boolean;
+    variable map_of_high_0_b_below_a_value_4, map_of_high_0_b_below_a_value_5 : boolean;
+    variable map_of_high_0_b_below_a_choice_4, map_of_high_0_b_below_a_value_6 : boolean;
+    variable map_of_high_0_b_below_a_value_7, map_of_high_0_b_below_a_choice_5 : boolean;
+    variable map_of_high_0_b_below_a_value_8, map_of_high_0_b_below_a_value_9 : boolean;
+    variable map_of_high_0_b_below_a_choice_6, map_of_high_0_b_below_a_value_10 : boolean;
+    variable map_of_high_0_b_below_a_value_11, map_of_high_0_b_below_a_choice_7 : boolean;
+    variable map_of_high_0_c_below_a_value, map_of_high_0_c_below_a_choice, map_of_high_0_c_below_a_choice_2 : boolean;
+    variable map_of_high_0_c_below_a_choice_3, map_of_high_0_c_below_a_choice_4 : boolean;
+    variable map_of_high_0_c_below_a_choice_5, map_of_high_0_c_below_a_choice_6 : boolean;
+    variable map_of_high_0_c_below_a_choice_7, map_of_high_0_c_below_b_choice : boolean;
+    variable map_of_high_0_c_below_b_choice_2, map_of_high_0_c_below_b_choice_3 : boolean;
+    variable map_of_high_0_c_below_b_choice_4, map_of_high_0_c_below_b_choice_5 : boolean;
+    variable map_of_high_0_c_below_b_choice_6, map_of_high_0_c_below_b_choice_7, map_of_all_0_b_below_a_value : boolean;
+    variable map_of_all_0_b_below_a_choice, map_of_all_0_b_below_a_is_equal, map_of_all_0_b_below_a_choice_2 : boolean;
+    variable map_of_all_0_b_below_a_value_2, map_of_all_0_b_below_a_value_3, map_of_all_0_b_below_a_choice_3 : boolean;
+    variable map_of_all_0_b_below_a_value_4, map_of_all_0_b_below_a_value_5, map_of_all_0_b_below_a_choice_4 : boolean;
+    variable map_of_all_0_b_below_a_value_6, map_of_all_0_b_below_a_value_7, map_of_all_0_b_below_a_choice_5 : boolean;
+    variable map_of_all_0_b_below_a_value_8, map_of_all_0_b_below_a_value_9, map_of_all_0_b_below_a_choice_6 : boolean;
+    variable map_of_all_0_b_below_a_value_10, map_of_all_0_b_below_a_value_11 : boolean;
+    variable map_of_all_0_b_below_a_choice_7, map_of_all_0_c_below_a_value, map_of_all_0_c_below_a_choice : boolean;
+    variable map_of_all_0_c_below_a_choice_2, map_of_all_0_c_below_a_choice_3 : boolean;
+    variable map_of_all_0_c_below_a_choice_4, map_of_all_0_c_below_a_choice_5 : boolean;
+    variable map_of_all_0_c_below_a_choice_6, map_of_all_0_c_below_a_choice_7, map_of_all_0_c_below_b_choice : boolean;
+    variable map_of_all_0_c_below_b_choice_2, map_of_all_0_c_below_b_choice_3 : boolean;
+    variable map_of_all_0_c_below_b_choice_4, map_of_all_0_c_below_b_choice_5 : boolean;
+    variable map_of_all_0_c_below_b_choice_6, map_of_all_0_c_below_b_choice_7, map_low_1_0_all : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable forward_decision_1_choice_3, forward_decision_2_choice_3 : natural range 0 to 3;
-    variable forward_decision_3_choice_3, forward_decision_4_choice_3 : natural range 0 to 3;
-    variable forward_decision_5_choice_3, forward_decision_6_choice, forward_decision_7_choice : natural range 0 to 3;
-    variable forward_decision_8_choice, forward_decision_9_choice, forward_decision_10_choice : natural range 0 to 3;
-    variable forward_decision_11_choice, traceback_decision_choice, traceback_decision_choice_2 : natural range 0 to 3;
-    variable traceback_decision_choice_3, traceback_decision_choice_4 : natural range 0 to 3;
-    variable traceback_decision_choice_5, traceback_decision_choice_6 : natural range 0 to 3;
-    variable traceback_decision_choice_7, traceback_decision_choice_8 : natural range 0 to 3;
-    variable traceback_decision_choice_9, traceback_decision_choice_10 : natural range 0 to 3;
-    variable traceback_decision_choice_11, traceback_decision_choice_12 : natural range 0 to 3;
-    variable traceback_decision_choice_13, traceback_decision_choice_14 : natural range 0 to 3;
-    variable traceback_decision_choice_15, traceback_decision_choice_16 : natural range 0 to 3;
-    variable traceback_decision_choice_17, traceback_decision_choice_18 : natural range 0 to 3;
-    variable traceback_decision_choice_19, traceback_decision_choice_20 : natural range 0 to 3;
-    variable traceback_decision_choice_21, traceback_decision_choice_22 : natural range 0 to 3;
-    variable traceback_decision_choice_23, traceback_decision_choice_24 : natural range 0 to 3;
-    variable traceback_decision_choice_25, traceback_decision_choice_26 : natural range 0 to 3;
-    variable traceback_decision_choice_27, traceback_decision_choice_28 : natural range 0 to 3;
-    variable traceback_decision_choice_29, traceback_decision_choice_30 : natural range 0 to 3;
-    variable traceback_decision_choice_31, traceback_decision_choice_32 : natural range 0 to 3;
-    variable traceback_decision_choice_33, traceback_decision_choice_34 : natural range 0 to 3;
-    variable traceback_decision_choice_35, traceback_decision_choice_36 : natural range 0 to 3;
-    variable traceback_decision_choice_37, traceback_decision_choice_38 : natural range 0 to 3;
-    variable traceback_decision_choice_39, traceback_decision_choice_40 : natural range 0 to 3;
-    variable traceback_decision_choice_41, map_counter_group_choice : natural range 0 to 3;
+    variable traceback_decision_choice, traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
+    variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
+    variable traceback_decision_choice_6, traceback_decision_choice_7 : natural range 0 to 3;
+    variable traceback_decision_choice_8, traceback_decision_choice_9 : natural range 0 to 3;
+    variable traceback_decision_choice_10, traceback_decision_choice_11 : natural range 0 to 3;
+    variable traceback_decision_choice_12, traceback_decision_choice_13 : natural range 0 to 3;
+    variable traceback_decision_choice_14, traceback_decision_choice_15 : natural range 0 to 3;
+    variable traceback_decision_choice_16, traceback_decision_choice_17 : natural range 0 to 3;
+    variable traceback_decision_choice_18, traceback_decision_choice_19 : natural range 0 to 3;
+    variable traceback_decision_choice_20, traceback_decision_choice_21 : natural range 0 to 3;
+    variable traceback_decision_choice_22, traceback_decision_choice_23 : natural range 0 to 3;
+    variable traceback_decision_choice_24, traceback_decision_choice_25 : natural range 0 to 3;
+    variable traceback_decision_choice_26, traceback_decision_choice_27 : natural range 0 to 3;
+    variable traceback_decision_choice_28, traceback_decision_choice_29 : natural range 0 to 3;
+    variable traceback_decision_choice_30, traceback_decision_choice_31 : natural range 0 to 3;
+    variable traceback_decision_choice_32, traceback_decision_choice_33 : natural range 0 to 3;
+    variable traceback_decision_choice_34, traceback_decision_choice_35 : natural range 0 to 3;
+    variable traceback_decision_choice_36, traceback_decision_choice_37 : natural range 0 to 3;
+    variable traceback_decision_choice_38, traceback_decision_choice_39 : natural range 0 to 3;
+    variable traceback_decision_choice_40, traceback_decision_choice_41 : natural range 0 to 3;
+    variable map_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_3, map_counter_group_choice_4 : natural range 0 to 15;
@@ -1498,23 +1109,19 @@ begin
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 26;
     variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 26;
     variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
-    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
-    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
-    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
-    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
-    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
-    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
-    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
-    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
-    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
-    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
-    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
-    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
-    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
-    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
-    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
-    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
-    variable forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
     variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
     variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
@@ -1525,14 +1132,16 @@ begin
     variable traceback_state_sum_2 : natural range 3 to 130;
     variable traceback_state_sum_3 : natural range 255 to 510;
     variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
-    variable fill_out_disparity_0_choice, map_largest_low_0_choice, map_median_middle_0_choice : natural range 0 to 255;
+    variable fill_out_disparity_0_choice, map_sorted_low_0_choice, map_sorted_low_0_choice_2 : natural range 0 to 255;
+    variable map_sorted_middle_0_choice, map_sorted_middle_0_choice_2 : natural range 0 to 255;
+    variable map_sorted_high_0_choice, map_sorted_high_0_choice_2, map_largest_low_0_choice : natural range 0 to 255;
+    variable map_largest_low_0_choice_2, map_median_middle_0_choice : natural range 0 to 255;
     variable map_median_middle_0_choice_2, map_median_middle_0_choice_3 : natural range 0 to 255;
-    variable map_smallest_high_0_choice, map_out_disparity_0_choice : natural range 0 to 255;
-    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3, map_low_0_0_choice : natural range 0 to 255;
-    variable map_low_0_0_choice_2, map_low_0_0_choice_3, map_low_0_0_choice_4 : natural range 0 to 255;
-    variable map_low_0_0_choice_5, map_middle_0_0_choice, map_middle_0_0_choice_2 : natural range 0 to 255;
-    variable map_middle_0_0_choice_3, map_middle_0_0_choice_4, map_high_0_0_choice : natural range 0 to 255;
-    variable map_high_0_0_choice_2 : natural range 0 to 255;
+    variable map_median_middle_0_choice_4, map_smallest_high_0_choice : natural range 0 to 255;
+    variable map_smallest_high_0_choice_2, map_out_disparity_0_choice : natural range 0 to 255;
+    variable map_out_disparity_0_choice_2, map_out_disparity_0_choice_3 : natural range 0 to 255;
+    variable map_out_disparity_0_choice_4, map_low_0_0_choice, map_middle_0_0_choice : natural range 0 to 255;
+    variable map_high_0_0_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- transform
@@ -1815,9 +1424,9 @@ begin
       transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
         (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2123,7 +1732,7 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
           (as_number(transform_left_filter_feature_0_choice_176) * 4) +
@@ -2132,7 +1741,7 @@ begin
       else
         transform_left_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) +
           (as_number(transform_left_filter_feature_0_choice_136) * 128) +
@@ -2141,14 +1750,14 @@ begin
       else
         transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
       else
         transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
@@ -2418,9 +2027,9 @@ begin
       transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
         (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -2726,7 +2335,7 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
           (as_number(transform_right_filter_feature_0_choice_176) * 4) +
@@ -2735,7 +2344,7 @@ begin
       else
         transform_right_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) +
           (as_number(transform_right_filter_feature_0_choice_136) * 128) +
@@ -2744,14 +2353,14 @@ begin
       else
         transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
       else
         transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
@@ -2776,10 +2385,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
@@ -2789,8 +2398,8 @@ begin
       transform_read_column_inside_2 <= true;
       transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
         transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
-      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal_2 when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -2833,22 +2442,22 @@ begin
         (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_left_filter_feature_0_choice_196;
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
         (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
         (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_right_filter_feature_0_choice_196;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
         transform_counter_next_frame;
       if in_valid then
@@ -2918,61 +2527,57 @@ begin
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
       end if;
       -- raster
-      raster_features_start_of_frame_is_equal := map_counter_group = 12;
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_choice := 3 when raster_place_group_all else 0;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtered_valid and (not
+      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
         ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
-        transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when slice0window_tag_row_start and (raster_place_group = 12) else
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_start_of_frame <= raster_features_start_of_frame_is_equal;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_place_next_frame <= raster_features_start_of_frame;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
-      delay_ring_write_address_is_equal := map_counter_column = 28;
-      delay_ring_write_address_is_equal_2 := (map_counter_group / 2) = 6;
-      delay_ring_write_address_choice := delay_ring_write_address and ((map_counter_group mod 2) = 1) when
-        delay_ring_write_address_is_equal_2 else delay_ring_write_address;
-      delay_ring_write_address_choice_2 := delay_ring_write_address_choice when delay_ring_write_address_is_equal else
-        delay_ring_write_address;
-      delay_ring_write_address_is_equal_3 := map_counter_group = 11;
-      delay_ring_write_address_all := delay_ring_write_address_is_equal and delay_ring_write_address_is_equal_3;
-      delay_ring_write_address_choice_3 := other_5 when delay_ring_write_address_all else other_5 and (not ((other_4
-        mod 2) = 1));
-      delay_ring_write_address_choice_4 := delay_ring_write_address_choice_3 when delay_ring_write_address_choice_2
-        else delay_ring_write_address_is_equal and delay_ring_write_address_is_equal_3 and other_5 and ((other_4 mod 2)
-        = 1);
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
-      delay_ring_read_address <= raster_place_next_frame;
-      delay_ring_write_address <= delay_ring_write_address_choice_4 or ((not other_5) and delay_ring_write_address);
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_less and delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
       -- rows
@@ -3059,1151 +2664,548 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := ((slice0shift_search_0_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := ((slice0shift_search_0_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_search_0_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not ((slice0shift_search_0_0 / 8388608) = 1) when
-        (slice0shift_reference_0 / 8388608) = 1 else (slice0shift_search_0_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := ((slice0shift_search_0_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_1 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_2 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_3 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_3 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_3 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_3 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_3 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_3 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_3 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_3 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_3 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_4 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_4 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_4 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_4 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_4 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_4 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_4 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_4 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_4 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := ((slice0shift_search_1_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := ((slice0shift_search_1_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_search_1_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not ((slice0shift_search_1_0 / 8388608) = 1) when
-        (slice0shift_reference_1 / 8388608) = 1 else (slice0shift_search_1_0 / 8388608) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := ((slice0shift_search_1_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_1 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_2 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_3_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_3 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_3_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_3 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_3 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_3_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_3 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_3 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_3_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_3 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_3_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_3 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_3 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_3_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_3_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_3_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_3_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_3_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_3_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_3_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_3_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_3_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_3_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_3_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_3_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_3 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_3_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_4_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_4 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_4_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_4 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_4 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_4_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_4 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_4 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_4_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_4 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_4_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_4 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_4 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_4_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_4_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_4_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_4_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_4_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_4_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_4_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_4_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_4_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_4_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_4_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_4_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_4 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_4_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := ((slice0shift_search_2_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := ((slice0shift_search_2_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_search_2_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not ((slice0shift_search_2_0 / 8388608) = 1) when
-        (slice0shift_reference_2 / 8388608) = 1 else (slice0shift_search_2_0 / 8388608) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_3 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := ((slice0shift_search_2_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_1 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_2 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_3_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_3 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_3_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_3 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_3 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_3_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_3 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_3 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_3_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_3 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_3_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_3 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_3 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_3_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_3_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_3_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_3_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_3_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_3_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_3_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_3_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_3_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_3_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_3_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_3_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_3 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_3_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_4_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_4 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_4_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_4 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_4 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_4_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_4 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_4 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_4_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_4 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_4_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_4 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_4 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_4_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_4_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_4_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_4_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_4_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_4_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_4_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_4_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_4_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_4_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_4_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_4_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_4 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_4_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_0_choice_2);
-      slice0cost_pixels_first_1_3_count_1 <= as_number(slice0cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_3_count_2_choice) + as_number(slice0cost_pixels_first_1_3_count_2_choice_2);
-      slice0cost_pixels_first_1_3_count_3 <= as_number(slice0cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_3);
-      slice0cost_pixels_first_1_3_count_4 <= as_number(slice0cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_3);
-      slice0cost_pixels_first_1_3_count_5 <= as_number(slice0cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_3);
-      slice0cost_pixels_first_1_3_count_6 <= as_number(slice0cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_3);
-      slice0cost_pixels_first_1_3_count_7 <= as_number(slice0cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_0_choice_2);
-      slice0cost_pixels_first_1_4_count_1 <= as_number(slice0cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_4_count_2_choice) + as_number(slice0cost_pixels_first_1_4_count_2_choice_2);
-      slice0cost_pixels_first_1_4_count_3 <= as_number(slice0cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_3);
-      slice0cost_pixels_first_1_4_count_4 <= as_number(slice0cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_3);
-      slice0cost_pixels_first_1_4_count_5 <= as_number(slice0cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_3);
-      slice0cost_pixels_first_1_4_count_6 <= as_number(slice0cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_3);
-      slice0cost_pixels_first_1_4_count_7 <= as_number(slice0cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_0_choice_2);
-      slice0cost_pixels_first_2_3_count_1 <= as_number(slice0cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_3_count_2_choice) + as_number(slice0cost_pixels_first_2_3_count_2_choice_2);
-      slice0cost_pixels_first_2_3_count_3 <= as_number(slice0cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_3);
-      slice0cost_pixels_first_2_3_count_4 <= as_number(slice0cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_3);
-      slice0cost_pixels_first_2_3_count_5 <= as_number(slice0cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_3);
-      slice0cost_pixels_first_2_3_count_6 <= as_number(slice0cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_3);
-      slice0cost_pixels_first_2_3_count_7 <= as_number(slice0cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_0_choice_2);
-      slice0cost_pixels_first_2_4_count_1 <= as_number(slice0cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_4_count_2_choice) + as_number(slice0cost_pixels_first_2_4_count_2_choice_2);
-      slice0cost_pixels_first_2_4_count_3 <= as_number(slice0cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_3);
-      slice0cost_pixels_first_2_4_count_4 <= as_number(slice0cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_3);
-      slice0cost_pixels_first_2_4_count_5 <= as_number(slice0cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_3);
-      slice0cost_pixels_first_2_4_count_6 <= as_number(slice0cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_3);
-      slice0cost_pixels_first_2_4_count_7 <= as_number(slice0cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4278,23 +3280,40 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_3 +
-        slice0cost_pixels_cost_0_3 + slice0cost_pixels_cost_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_4 +
-        slice0cost_pixels_cost_0_4 + slice0cost_pixels_cost_1_4;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4313,23 +3332,12 @@ begin
         slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
         slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
       end if;
-      slice0window_tag_row_start_choice := slice0window_tag_row_start and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else slice0window_tag_row_start;
-      slice0window_tag_row_start_choice_2 := slice0window_tag_row_start_choice when raster_place_group_is_equal_3 else
-        slice0window_tag_row_start;
-      slice0window_tag_row_start_choice_3 := transform_filtered_valid when raster_place_group_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      slice0window_tag_row_start_choice_4 := slice0window_tag_row_start_choice_3 when
-        slice0window_tag_row_start_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-        transform_filtered_valid and transform_filtered_start_of_frame;
       slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
       slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
       slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
       slice0window_sum_0_3 <= slice0cost_column_0_3 + slice0window_partial_0_1_3;
       slice0window_sum_0_4 <= slice0cost_column_0_4 + slice0window_partial_0_1_4;
       slice0window_tag_valid <= slice0cost_tag_valid;
-      slice0window_tag_row_start <= slice0window_tag_row_start_choice_4 or ((not transform_filtered_valid) and
-        slice0window_tag_row_start);
       slice0window_tag_map_column <= slice0window_centre_map_column_0;
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_first_column <= slice0window_centre_first_column_0;
@@ -4395,1151 +3403,548 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_4;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := ((slice1shift_search_0_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := ((slice1shift_search_0_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_search_0_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not ((slice1shift_search_0_0 / 8388608) = 1) when
-        (slice1shift_reference_0 / 8388608) = 1 else (slice1shift_search_0_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := ((slice1shift_search_0_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_1 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_2 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_3 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_3 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_3 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_3 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_3 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_3 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_3 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_3 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_3 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_4 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_4 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_4 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_4 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_4 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_4 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_4 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_4 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_4 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
-        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
-      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
-        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
-        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
-        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
-      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
-        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
-        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
-      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
-        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
-        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
-        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
-      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
-        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
-        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
-      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
-        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
-      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
-        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
-        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
-      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
-        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
-      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
-        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value_2 when
-        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
-      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_4 := ((slice1shift_search_1_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_4 when
-        slice1cost_pixels_first_1_0_count_6_value_3 else slice1cost_pixels_first_1_0_count_6_value_4;
-      slice1cost_pixels_first_1_0_count_6_value_5 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_6 := ((slice1shift_search_1_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_6 when
-        slice1cost_pixels_first_1_0_count_6_value_5 else slice1cost_pixels_first_1_0_count_6_value_6;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_search_1_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value_2 when
-        slice1cost_pixels_first_1_0_count_7_value else slice1cost_pixels_first_1_0_count_7_value_2;
-      slice1cost_pixels_first_1_0_count_7_choice_2 := not ((slice1shift_search_1_0 / 8388608) = 1) when
-        (slice1shift_reference_1 / 8388608) = 1 else (slice1shift_search_1_0 / 8388608) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_4 := ((slice1shift_search_1_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_4 when
-        slice1cost_pixels_first_1_0_count_7_value_3 else slice1cost_pixels_first_1_0_count_7_value_4;
-      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_1_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_1_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_1_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_1_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_1 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_1_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_2_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_2_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_2_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_2_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_2 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_2_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_3_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_3 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_3_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_3 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_3 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_3_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_3 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_3 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_3_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_3 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_3_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_3 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_3 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_3_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_3_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_3_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_3_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_3_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_3_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_3_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_3_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_3_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_3_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_3_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_3_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_3 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_3_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_4_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_4 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_4_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_4 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_4 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_4_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_4 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_4 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_4_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_4 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_4_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_4 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_4 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_4_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_4_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_4_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_4_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_4_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_4_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_4_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_4_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_4_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_4_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_4_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_4_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_4 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_4_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
-        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
-      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
-        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
-        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
-        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
-      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
-        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
-        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
-      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
-        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
-        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
-        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
-      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
-        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
-        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
-      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
-        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
-      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
-        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
-        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
-      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
-        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
-      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
-        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value_2 when
-        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
-      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_4 := ((slice1shift_search_2_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_4 when
-        slice1cost_pixels_first_2_0_count_6_value_3 else slice1cost_pixels_first_2_0_count_6_value_4;
-      slice1cost_pixels_first_2_0_count_6_value_5 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_6 := ((slice1shift_search_2_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_6 when
-        slice1cost_pixels_first_2_0_count_6_value_5 else slice1cost_pixels_first_2_0_count_6_value_6;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_search_2_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value_2 when
-        slice1cost_pixels_first_2_0_count_7_value else slice1cost_pixels_first_2_0_count_7_value_2;
-      slice1cost_pixels_first_2_0_count_7_choice_2 := not ((slice1shift_search_2_0 / 8388608) = 1) when
-        (slice1shift_reference_2 / 8388608) = 1 else (slice1shift_search_2_0 / 8388608) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_3 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_4 := ((slice1shift_search_2_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_4 when
-        slice1cost_pixels_first_2_0_count_7_value_3 else slice1cost_pixels_first_2_0_count_7_value_4;
-      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_1_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_1_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_1_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_1_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_1 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_1_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_2_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_2_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_2_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_2_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_2 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_2_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_3_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_3 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_3_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_3 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_3 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_3_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_3 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_3 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_3_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_3 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_3_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_3 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_3 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_3_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_3_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_3_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_3_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_3_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_3_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_3_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_3_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_3_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_3_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_3_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_3_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_3 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_3_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_4_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_4 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_4_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_4 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_4 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_4_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_4 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_4 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_4_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_4 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_4_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_4 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_4 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_4_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_4_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_4_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_4_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_4_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_4_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_4_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_4_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_4_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_4_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_4_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_4_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_4 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_4_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
-      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
-      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
-      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
-      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
-      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_3);
-      slice1cost_pixels_first_1_0_count_7 <= as_number(slice1cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
-      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
-      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
-      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
-      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
-      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_3);
-      slice1cost_pixels_first_1_1_count_7 <= as_number(slice1cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
-      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
-      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
-      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
-      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
-      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_3);
-      slice1cost_pixels_first_1_2_count_7 <= as_number(slice1cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_0_choice_2);
-      slice1cost_pixels_first_1_3_count_1 <= as_number(slice1cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_3_count_2_choice) + as_number(slice1cost_pixels_first_1_3_count_2_choice_2);
-      slice1cost_pixels_first_1_3_count_3 <= as_number(slice1cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_3);
-      slice1cost_pixels_first_1_3_count_4 <= as_number(slice1cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_3);
-      slice1cost_pixels_first_1_3_count_5 <= as_number(slice1cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_3);
-      slice1cost_pixels_first_1_3_count_6 <= as_number(slice1cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_3);
-      slice1cost_pixels_first_1_3_count_7 <= as_number(slice1cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_0_choice_2);
-      slice1cost_pixels_first_1_4_count_1 <= as_number(slice1cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_4_count_2_choice) + as_number(slice1cost_pixels_first_1_4_count_2_choice_2);
-      slice1cost_pixels_first_1_4_count_3 <= as_number(slice1cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_3);
-      slice1cost_pixels_first_1_4_count_4 <= as_number(slice1cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_3);
-      slice1cost_pixels_first_1_4_count_5 <= as_number(slice1cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_3);
-      slice1cost_pixels_first_1_4_count_6 <= as_number(slice1cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_3);
-      slice1cost_pixels_first_1_4_count_7 <= as_number(slice1cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
-      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
-      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
-      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
-      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
-      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_3);
-      slice1cost_pixels_first_2_0_count_7 <= as_number(slice1cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
-      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
-      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
-      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
-      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
-      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_3);
-      slice1cost_pixels_first_2_1_count_7 <= as_number(slice1cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
-      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
-      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
-      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
-      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
-      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_3);
-      slice1cost_pixels_first_2_2_count_7 <= as_number(slice1cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_0_choice_2);
-      slice1cost_pixels_first_2_3_count_1 <= as_number(slice1cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_3_count_2_choice) + as_number(slice1cost_pixels_first_2_3_count_2_choice_2);
-      slice1cost_pixels_first_2_3_count_3 <= as_number(slice1cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_3);
-      slice1cost_pixels_first_2_3_count_4 <= as_number(slice1cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_3);
-      slice1cost_pixels_first_2_3_count_5 <= as_number(slice1cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_3);
-      slice1cost_pixels_first_2_3_count_6 <= as_number(slice1cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_3);
-      slice1cost_pixels_first_2_3_count_7 <= as_number(slice1cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_0_choice_2);
-      slice1cost_pixels_first_2_4_count_1 <= as_number(slice1cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_4_count_2_choice) + as_number(slice1cost_pixels_first_2_4_count_2_choice_2);
-      slice1cost_pixels_first_2_4_count_3 <= as_number(slice1cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_3);
-      slice1cost_pixels_first_2_4_count_4 <= as_number(slice1cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_3);
-      slice1cost_pixels_first_2_4_count_5 <= as_number(slice1cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_3);
-      slice1cost_pixels_first_2_4_count_6 <= as_number(slice1cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_3);
-      slice1cost_pixels_first_2_4_count_7 <= as_number(slice1cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
         slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
         + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
@@ -5600,16 +4005,21 @@ begin
         slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
         + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
         slice1cost_pixels_first_2_4_count_1;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_0 +
-        slice1cost_pixels_cost_0_0 + slice1cost_pixels_cost_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_1 +
-        slice1cost_pixels_cost_0_1 + slice1cost_pixels_cost_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_2 +
-        slice1cost_pixels_cost_0_2 + slice1cost_pixels_cost_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_3 +
-        slice1cost_pixels_cost_0_3 + slice1cost_pixels_cost_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_4 +
-        slice1cost_pixels_cost_0_4 + slice1cost_pixels_cost_1_4;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -5654,539 +4064,260 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := ((slice2shift_search_0_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := ((slice2shift_search_0_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_search_0_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not ((slice2shift_search_0_0 / 8388608) = 1) when
-        (slice2shift_reference_0 / 8388608) = 1 else (slice2shift_search_0_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := ((slice2shift_search_0_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        ((slice2shift_search_0_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        ((slice2shift_search_0_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        ((slice2shift_search_0_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not ((slice2shift_reference_0 / 8388608) = 1) when
-        (slice2shift_search_0_1 / 8388608) = 1 else (slice2shift_reference_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        ((slice2shift_search_0_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
-        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
-      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
-        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
-        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
-        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
-      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
-        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
-        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
-      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
-        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
-        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
-        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
-      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
-        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
-        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
-      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
-        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
-      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
-        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
-        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
-      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
-        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
-      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
-        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value_2 when
-        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
-      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_4 := ((slice2shift_search_1_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_4 when
-        slice2cost_pixels_first_1_0_count_6_value_3 else slice2cost_pixels_first_1_0_count_6_value_4;
-      slice2cost_pixels_first_1_0_count_6_value_5 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_6 := ((slice2shift_search_1_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_6 when
-        slice2cost_pixels_first_1_0_count_6_value_5 else slice2cost_pixels_first_1_0_count_6_value_6;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_search_1_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value_2 when
-        slice2cost_pixels_first_1_0_count_7_value else slice2cost_pixels_first_1_0_count_7_value_2;
-      slice2cost_pixels_first_1_0_count_7_choice_2 := not ((slice2shift_search_1_0 / 8388608) = 1) when
-        (slice2shift_reference_1 / 8388608) = 1 else (slice2shift_search_1_0 / 8388608) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_4 := ((slice2shift_search_1_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_4 when
-        slice2cost_pixels_first_1_0_count_7_value_3 else slice2cost_pixels_first_1_0_count_7_value_4;
-      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
-        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
-      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
-        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
-        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
-      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
-        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
-        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
-      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
-        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
-      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
-        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
-        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
-      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
-        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
-        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
-      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
-        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
-      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
-        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
-      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
-        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
-      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
-        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
-      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
-        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
-      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
-        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
-      slice2cost_pixels_first_1_1_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value when
-        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
-      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_3 when
-        ((slice2shift_search_1_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_3;
-      slice2cost_pixels_first_1_1_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_5 when
-        ((slice2shift_search_1_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_5;
-      slice2cost_pixels_first_1_1_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value when
-        ((slice2shift_search_1_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value;
-      slice2cost_pixels_first_1_1_count_7_choice_2 := not ((slice2shift_reference_1 / 8388608) = 1) when
-        (slice2shift_search_1_1 / 8388608) = 1 else (slice2shift_reference_1 / 8388608) = 1;
-      slice2cost_pixels_first_1_1_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_3 when
-        ((slice2shift_search_1_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value_3;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
-        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
-      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
-        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
-        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
-        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
-      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
-        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
-        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
-      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
-        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
-        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
-        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
-      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
-        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
-        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
-      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
-        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
-      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
-        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
-        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
-      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
-        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
-      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
-        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value_2 when
-        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
-      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_4 := ((slice2shift_search_2_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_4 when
-        slice2cost_pixels_first_2_0_count_6_value_3 else slice2cost_pixels_first_2_0_count_6_value_4;
-      slice2cost_pixels_first_2_0_count_6_value_5 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_6 := ((slice2shift_search_2_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_6 when
-        slice2cost_pixels_first_2_0_count_6_value_5 else slice2cost_pixels_first_2_0_count_6_value_6;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_search_2_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value_2 when
-        slice2cost_pixels_first_2_0_count_7_value else slice2cost_pixels_first_2_0_count_7_value_2;
-      slice2cost_pixels_first_2_0_count_7_choice_2 := not ((slice2shift_search_2_0 / 8388608) = 1) when
-        (slice2shift_reference_2 / 8388608) = 1 else (slice2shift_search_2_0 / 8388608) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_3 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_4 := ((slice2shift_search_2_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_4 when
-        slice2cost_pixels_first_2_0_count_7_value_3 else slice2cost_pixels_first_2_0_count_7_value_4;
-      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
-        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
-      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
-        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
-        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
-      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
-        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
-        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
-      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
-        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
-      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
-        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
-        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
-      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
-        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
-        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
-      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
-        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
-      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
-        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
-      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
-        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
-      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
-        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
-      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
-        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
-      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
-        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
-      slice2cost_pixels_first_2_1_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value when
-        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
-      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_3 when
-        ((slice2shift_search_2_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_3;
-      slice2cost_pixels_first_2_1_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_5 when
-        ((slice2shift_search_2_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_5;
-      slice2cost_pixels_first_2_1_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value when
-        ((slice2shift_search_2_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value;
-      slice2cost_pixels_first_2_1_count_7_choice_2 := not ((slice2shift_reference_2 / 8388608) = 1) when
-        (slice2shift_search_2_1 / 8388608) = 1 else (slice2shift_reference_2 / 8388608) = 1;
-      slice2cost_pixels_first_2_1_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_3 when
-        ((slice2shift_search_2_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value_3;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
-      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
-      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
-      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
-      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
-      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_3);
-      slice2cost_pixels_first_1_0_count_7 <= as_number(slice2cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
-      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
       slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
-      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
-      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
-      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
-      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_3);
-      slice2cost_pixels_first_1_1_count_7 <= as_number(slice2cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
-      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
-      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
-      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
-      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
-      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_3);
-      slice2cost_pixels_first_2_0_count_7 <= as_number(slice2cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
-      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
       slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
-      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
-      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
-      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
-      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_3);
-      slice2cost_pixels_first_2_1_count_7 <= as_number(slice2cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
         slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
         + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
@@ -6211,10 +4342,12 @@ begin
         slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
         + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
         slice2cost_pixels_first_2_1_count_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_0 +
-        slice2cost_pixels_cost_0_0 + slice2cost_pixels_cost_1_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_1 +
-        slice2cost_pixels_cost_0_1 + slice2cost_pixels_cost_1_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -6285,9 +4418,9 @@ begin
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
-      entry_order_falls_choice := not entry_order_falls when slice0_tag_2_valid else entry_order_falls;
       if not entry_order_inside then
-        entry_order_falls <= entry_order_falls_choice when slice0_tag_2_map_column else entry_order_falls;
+        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
+          entry_order_falls;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -6308,94 +4441,72 @@ begin
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
-        forward_path_1_value;
-      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
-      forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
-      forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
-      forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
-      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
-        forward_path_2_value;
-      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
-      forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
-      forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
-      forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
-      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
-        forward_path_3_value;
-      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
-      forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
-      forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
-      forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
-      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
-        forward_path_4_value;
-      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
-      forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
-      forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
-      forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
-      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
-        forward_path_5_value;
-      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
-      forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
-      forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
-      forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
-      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
-        forward_path_6_value;
-      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
-      forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
-      forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
-      forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
-      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
-        forward_path_7_value;
-      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
-      forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
-      forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
-      forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
-      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
-        forward_path_8_value;
-      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
-      forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
-      forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
-      forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
-      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
-        forward_path_9_value;
-      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
-      forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
-      forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
-      forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
-      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
-        forward_path_10_value;
-      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
-      forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
-      forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
-      forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
-      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
-        forward_path_11_value;
-      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
-      forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
-      forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
-      forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
@@ -6410,26 +4521,15 @@ begin
       forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
       forward_decision_0_choice := 2 when forward_far_0 else 1;
       forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value_2 else 0;
-      forward_decision_1_choice_3 := 3 when forward_path_1_value else forward_decision_1_choice_2;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
       forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value_2 else 0;
-      forward_decision_2_choice_3 := 3 when forward_path_2_value else forward_decision_2_choice_2;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
       forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value_2 else 0;
-      forward_decision_3_choice_3 := 3 when forward_path_3_value else forward_decision_3_choice_2;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
       forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value_2 else 0;
-      forward_decision_4_choice_3 := 3 when forward_path_4_value else forward_decision_4_choice_2;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
       forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value_2 else 0;
-      forward_decision_5_choice_3 := 3 when forward_path_5_value else forward_decision_5_choice_2;
-      forward_decision_6_choice := 3 when forward_path_6_value else as_number(forward_path_6_value_2);
-      forward_decision_7_choice := 3 when forward_path_7_value else as_number(forward_path_7_value_2);
-      forward_decision_8_choice := 3 when forward_path_8_value else as_number(forward_path_8_value_2);
-      forward_decision_9_choice := 3 when forward_path_9_value else as_number(forward_path_9_value_2);
-      forward_decision_10_choice := 3 when forward_path_10_value else as_number(forward_path_10_value_2);
-      forward_decision_11_choice := 3 when forward_path_11_value else as_number(forward_path_11_value_2);
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -6457,40 +4557,40 @@ begin
         forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
         forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
         forward_path_0 <= forward_path_0_choice_2;
-        forward_path_1 <= forward_path_1_choice_4;
-        forward_path_2 <= forward_path_2_choice_4;
-        forward_path_3 <= forward_path_3_choice_4;
-        forward_path_4 <= forward_path_4_choice_4;
-        forward_path_5 <= forward_path_5_choice_4;
-        forward_path_6 <= forward_path_6_choice_4;
-        forward_path_7 <= forward_path_7_choice_4;
-        forward_path_8 <= forward_path_8_choice_4;
-        forward_path_9 <= forward_path_9_choice_4;
-        forward_path_10 <= forward_path_10_choice_4;
-        forward_path_11 <= forward_path_11_choice_4;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
         forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
-        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
-        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
-        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
-        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
-        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
-        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
-        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
-        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
-        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
-        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
-        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
         forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_4 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_4 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_4 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_4 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_4 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_4 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_4 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_4 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_4 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_4 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
         forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
         forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
         forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
@@ -6503,40 +4603,36 @@ begin
         forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
         forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
         forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
         forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_all else forward_decision_3_choice_3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_all else forward_decision_4_choice_3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_all else forward_decision_5_choice_3;
-        forward_decision_6 <= as_number(forward_path_6_value_2) when forward_path_6_all else forward_decision_6_choice;
-        forward_decision_7 <= as_number(forward_path_7_value_2) when forward_path_7_all else forward_decision_7_choice;
-        forward_decision_8 <= as_number(forward_path_8_value_2) when forward_path_8_all else forward_decision_8_choice;
-        forward_decision_9 <= as_number(forward_path_9_value_2) when forward_path_9_all else forward_decision_9_choice;
-        forward_decision_10 <= as_number(forward_path_10_value_2) when forward_path_10_all else
-          forward_decision_10_choice;
-        forward_decision_11 <= as_number(forward_path_11_value_2) when forward_path_11_all else
-          forward_decision_11_choice;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
       end if;
-      forward_far_0_any := (not forward_next_first) or (not entry_tag_valid);
-      forward_far_0_choice := forward_far_0_any when forward_dropped_0_value else not entry_tag_valid;
-      forward_far_1_choice := forward_far_0_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_0_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_0_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_0_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_0_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_0 <= forward_far_0_choice when forward_far_0 else forward_dropped_0_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and (not
-        forward_next_first) and entry_tag_valid;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -6554,7 +4650,7 @@ begin
         decisions_ready_inside <= entry_tag_map_column;
         decisions_comes_0 <= entry_tag_map_column;
         decisions_comes_1 <= decisions_ready_inside;
-        decisions_comes_2 <= decisions_comes_1;
+        decisions_comes_2 <= last_tags_held_1_map_column;
         decisions_place_0 <= entry_place;
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
@@ -6572,7 +4668,7 @@ begin
         last_tags_held_0_end_of_line <= entry_tag_end_of_line;
         last_tags_held_1_map_column <= decisions_comes_0;
         last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
-        last_tags_held_2_map_column <= last_tags_held_1_map_column;
+        last_tags_held_2_map_column <= decisions_comes_1;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
       last_path_0_2_difference := 256 - forward_path_0;
@@ -6597,12 +4693,12 @@ begin
         last_state <= lastwinner4_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_0_is_less := last_path_0_1 < last_path_0_0;
-      lastwinner1_best_cost_0_1_is_less := last_path_0_3 < last_path_0_2;
-      lastwinner1_best_cost_0_2_is_less := last_path_0_5 < last_path_0_4;
-      lastwinner1_best_cost_0_3_is_less := last_path_0_7 < last_path_0_6;
-      lastwinner1_best_cost_0_4_is_less := last_path_0_9 < last_path_0_8;
-      lastwinner1_best_cost_0_5_is_less := last_path_0_11 < last_path_0_10;
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
       lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
       lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
       lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
@@ -6619,9 +4715,9 @@ begin
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
       -- lastwinner2
-      lastwinner2_best_cost_0_0_is_less := lastwinner1_best_cost_0_1 < lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1_is_less := lastwinner1_best_cost_0_3 < lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2_is_less := lastwinner1_best_cost_0_5 < lastwinner1_best_cost_0_4;
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
       lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
         lastwinner1_best_cost_0_0;
       lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
@@ -6638,7 +4734,7 @@ begin
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
       -- lastwinner3
-      lastwinner3_best_cost_0_0_is_less := lastwinner2_best_cost_0_1 < lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
       lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
         lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
@@ -6649,8 +4745,8 @@ begin
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner3_best_cost_0_1 <
-        lastwinner3_best_cost_0_0 else lastwinner3_best_index_0_0;
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
@@ -6763,10 +4859,10 @@ begin
       traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
         traceback_decision_choice_40;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_ready_inside else last_state;
-        traceback_decision <= traceback_decision_choice_41 when decisions_ready_inside else 0;
+        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
+        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
         traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_ready_inside and traceback_state_is_equal_3 else 0;
+          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
@@ -6775,7 +4871,7 @@ begin
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
         ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
-      traceback_out_tag_map_column <= last_tags_held_1_map_column;
+      traceback_out_tag_map_column <= decisions_comes_1;
       traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
@@ -6822,134 +4918,566 @@ begin
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_map_column <= turn_ready_tag_map_column;
       -- map
-      if other_5 then
-        map_counter_column <= 0 when delay_ring_write_address_is_equal or ((other_4 mod 2) = 1) else
-          (map_counter_column + 1) mod 32;
+      map_counter_column_is_equal := map_counter_column = 28;
+      if other_6 then
+        map_counter_column <= 0 when map_counter_column_is_equal or ((other_7 mod 2) = 1) else (map_counter_column + 1)
+          mod 32;
       end if;
-      map_counter_group_choice := 3 when delay_ring_write_address_all else 0;
-      map_counter_group_choice_2 := other_5 and (not ((map_counter_group mod 2) = 1)) when
-        delay_ring_write_address_is_equal_2 else other_5;
-      map_counter_group_choice_3 := 1 when delay_ring_write_address and raster_features_start_of_frame_is_equal else
+      map_counter_group_is_equal := map_counter_group = 11;
+      map_counter_group_all := map_counter_column_is_equal and map_counter_group_is_equal;
+      map_counter_group_choice := 3 when map_counter_group_all else 0;
+      map_counter_group_is_equal_2 := (map_counter_group / 2) = 6;
+      map_counter_group_choice_2 := other_6 and (not ((map_counter_group mod 2) = 1)) when map_counter_group_is_equal_2
+        else other_6;
+      map_counter_group_is_equal_3 := map_counter_group = 12;
+      map_counter_group_choice_3 := 1 when map_counter_next_frame and map_counter_group_is_equal_3 else
         (map_counter_group + 1) mod 16;
-      map_counter_group_choice_4 := map_counter_group_choice_3 when delay_ring_write_address_is_equal and
+      map_counter_group_choice_4 := map_counter_group_choice_3 when map_counter_column_is_equal and
         map_counter_group_choice_2 else map_counter_group;
-      map_line_ended_choice := 255 < other_4 when lastwinner4_tag_valid else map_line_ended;
-      map_passed_1_0_all := (not map_at_arrives) and (not map_at_behind);
-      map_complete_choice := map_passed_1_0_all when (map_write_column mod 2) = 1 else not map_at_behind;
-      map_complete_choice_2 := map_complete_choice when (map_write_column / 2) = 0 else map_passed_1_0_all;
-      map_largest_low_0_choice := map_low_0_0 when map_low_1_0 < map_low_0_0 else map_low_1_0;
-      map_median_middle_0_is_less := map_middle_1_0 < map_middle_0_0;
-      map_median_middle_0_choice := map_middle_0_0 when map_median_middle_0_is_less else map_middle_1_0;
-      map_median_middle_0_choice_2 := map_middle_2_0 when map_middle_2_0 < map_median_middle_0_choice else
-        map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_middle_1_0 when map_median_middle_0_is_less else map_middle_0_0;
-      map_smallest_high_0_choice := map_high_1_0 when map_high_1_0 < map_high_0_0 else map_high_0_0;
-      map_out_disparity_0_is_less := map_median_middle_0 < map_largest_low_0;
-      map_out_disparity_0_choice := map_largest_low_0 when map_out_disparity_0_is_less else map_median_middle_0;
-      map_out_disparity_0_choice_2 := map_smallest_high_0 when map_smallest_high_0 < map_out_disparity_0_choice else
-        map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_median_middle_0 when map_out_disparity_0_is_less else map_largest_low_0;
-      map_counter_group <= map_counter_group_choice * 4 when other_5 and ((other_4 mod 2) = 1) else
+      map_counter_next_frame_choice := map_counter_next_frame and ((map_counter_group mod 2) = 1) when
+        map_counter_group_is_equal_2 else map_counter_next_frame;
+      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when map_counter_column_is_equal else
+        map_counter_next_frame;
+      map_counter_next_frame_choice_3 := other_6 when map_counter_group_all else other_6 and (not ((other_7 mod 2) =
+        1));
+      map_counter_next_frame_choice_4 := map_counter_next_frame_choice_3 when map_counter_next_frame_choice_2 else
+        map_counter_column_is_equal and map_counter_group_is_equal and other_6 and ((other_7 mod 2) = 1);
+      map_line_ended_choice := 255 < other_7 when lastwinner4_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_3(16 downto 16)) = 1;
+      map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
+      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_4 / 4) mod 2) =
+        1;
+      map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_4 / 2) mod
+        2) = 1;
+      map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
+        map_of_column_0_b_below_a_value_2) when map_of_column_0_b_below_a_choice_2 else not
+        map_of_column_0_b_below_a_value;
+      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
+        else map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_4 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
+        map_of_column_0_b_below_a_value_4) and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else
+        map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_4 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
+        map_of_column_0_b_below_a_value_6) or map_at_top when map_of_column_0_b_below_a_choice_5 else
+        map_of_column_0_b_below_a_value_5 and (not map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_4 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
+        map_of_column_0_b_below_a_value_8) or map_at_top when map_of_column_0_b_below_a_choice_6 else
+        map_of_column_0_b_below_a_value_7 and (not map_of_column_0_b_below_a_value_8) and (not map_at_top);
+      map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_4 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
+        map_of_column_0_b_below_a_value_10) or map_at_top when map_of_column_0_b_below_a_choice_7 else
+        map_of_column_0_b_below_a_value_9 and (not map_of_column_0_b_below_a_value_10) and (not map_at_top);
+      map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_4 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
+        map_of_column_0_b_below_a_value_12) or map_at_top when map_of_column_0_b_below_a_choice_8 else
+        map_of_column_0_b_below_a_value_11 and (not map_of_column_0_b_below_a_value_12) and (not map_at_top);
+      map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
+      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_read_bottom else
+        map_of_column_0_c_below_a_value;
+      map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_read_bottom when
+        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_read_bottom);
+      map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
+        and map_of_column_0_b_below_a_choice when map_of_column_0_c_below_a_choice else
+        (map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_read_bottom else
+        map_of_column_0_c_below_a_value_3;
+      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
+        map_of_column_0_b_below_a_value_4;
+      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
+        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
+        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_choice_5;
+      map_of_column_0_c_below_a_value_4 := ((map_column_2 / 16) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5 when map_read_bottom else
+        map_of_column_0_c_below_a_value_4;
+      map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5 when map_at_top else
+        map_of_column_0_b_below_a_value_6;
+      map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
+        map_of_column_0_c_below_a_choice_8 when map_of_column_0_c_below_a_choice_6 else (not
+        map_of_column_0_c_below_a_choice_7) and map_of_column_0_c_below_a_choice_8;
+      map_of_column_0_c_below_a_value_5 := ((map_column_2 / 32) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7 when map_read_bottom else
+        map_of_column_0_c_below_a_value_5;
+      map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7 when map_at_top else
+        map_of_column_0_b_below_a_value_8;
+      map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
+        map_of_column_0_c_below_a_choice_11 when map_of_column_0_c_below_a_choice_9 else (not
+        map_of_column_0_c_below_a_choice_10) and map_of_column_0_c_below_a_choice_11;
+      map_of_column_0_c_below_a_value_6 := ((map_column_2 / 64) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9 when map_read_bottom else
+        map_of_column_0_c_below_a_value_6;
+      map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9 when map_at_top else
+        map_of_column_0_b_below_a_value_10;
+      map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
+        map_of_column_0_c_below_a_choice_14 when map_of_column_0_c_below_a_choice_12 else (not
+        map_of_column_0_c_below_a_choice_13) and map_of_column_0_c_below_a_choice_14;
+      map_of_column_0_c_below_a_value_7 := ((map_column_2 / 128) mod 2) = 1;
+      map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11 when map_read_bottom else
+        map_of_column_0_c_below_a_value_7;
+      map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11 when map_at_top else
+        map_of_column_0_b_below_a_value_12;
+      map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
+        map_of_column_0_c_below_a_choice_17 when map_of_column_0_c_below_a_choice_15 else (not
+        map_of_column_0_c_below_a_choice_16) and map_of_column_0_c_below_a_choice_17;
+      map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1 when map_read_bottom else (map_column_2 / 256) =
+        1;
+      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_4 / 256) = 1;
+      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
+        (not map_read_bottom) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and
+        (not map_read_bottom) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
+        map_read_bottom;
+      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
+        map_of_column_0_b_below_a_value_3) or map_read_bottom when map_of_column_0_c_below_b_choice else
+        map_of_column_0_c_below_a_value_3 and (not map_of_column_0_b_below_a_value_3) and (not map_read_bottom);
+      map_of_column_0_c_below_b_choice_3 := map_of_column_0_c_below_a_value_4 or (not
+        map_of_column_0_b_below_a_value_5) or map_read_bottom when map_of_column_0_c_below_b_choice_2 else
+        map_of_column_0_c_below_a_value_4 and (not map_of_column_0_b_below_a_value_5) and (not map_read_bottom);
+      map_of_column_0_c_below_b_choice_4 := map_of_column_0_c_below_a_value_5 or (not
+        map_of_column_0_b_below_a_value_7) or map_read_bottom when map_of_column_0_c_below_b_choice_3 else
+        map_of_column_0_c_below_a_value_5 and (not map_of_column_0_b_below_a_value_7) and (not map_read_bottom);
+      map_of_column_0_c_below_b_choice_5 := map_of_column_0_c_below_a_value_6 or (not
+        map_of_column_0_b_below_a_value_9) or map_read_bottom when map_of_column_0_c_below_b_choice_4 else
+        map_of_column_0_c_below_a_value_6 and (not map_of_column_0_b_below_a_value_9) and (not map_read_bottom);
+      map_of_column_0_c_below_b_choice_6 := map_of_column_0_c_below_a_value_7 or (not
+        map_of_column_0_b_below_a_value_11) or map_read_bottom when map_of_column_0_c_below_b_choice_5 else
+        map_of_column_0_c_below_a_value_7 and (not map_of_column_0_b_below_a_value_11) and (not map_read_bottom);
+      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
+      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
+      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
+      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
+      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
+        map_sorted_behind;
+      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
+        map_window_complete_all;
+      map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
+      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
+        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
+      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
+        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      map_of_low_0_b_below_a_value_4 := ((map_low_0_0 / 8) mod 2) = 1;
+      map_of_low_0_b_below_a_value_5 := ((map_low_1_0 / 8) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_4 := (not map_of_low_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_5 when
+        map_of_low_0_b_below_a_choice_3 else (not map_of_low_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_5;
+      map_of_low_0_b_below_a_value_6 := ((map_low_0_0 / 16) mod 2) = 1;
+      map_of_low_0_b_below_a_value_7 := ((map_low_1_0 / 16) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_5 := (not map_of_low_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_7 when
+        map_of_low_0_b_below_a_choice_4 else (not map_of_low_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_7;
+      map_of_low_0_b_below_a_value_8 := ((map_low_0_0 / 32) mod 2) = 1;
+      map_of_low_0_b_below_a_value_9 := ((map_low_1_0 / 32) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_6 := (not map_of_low_0_b_below_a_value_8) or map_of_low_0_b_below_a_value_9 when
+        map_of_low_0_b_below_a_choice_5 else (not map_of_low_0_b_below_a_value_8) and map_of_low_0_b_below_a_value_9;
+      map_of_low_0_b_below_a_value_10 := ((map_low_0_0 / 64) mod 2) = 1;
+      map_of_low_0_b_below_a_value_11 := ((map_low_1_0 / 64) mod 2) = 1;
+      map_of_low_0_b_below_a_choice_7 := (not map_of_low_0_b_below_a_value_10) or map_of_low_0_b_below_a_value_11 when
+        map_of_low_0_b_below_a_choice_6 else (not map_of_low_0_b_below_a_value_10) and map_of_low_0_b_below_a_value_11;
+      map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
+      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
+        mod 4) = 0;
+      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
+      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
+        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_4 when
+        map_of_low_0_c_below_a_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_4;
+      map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_6 when
+        map_of_low_0_c_below_a_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_6;
+      map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_8 when
+        map_of_low_0_c_below_a_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_8;
+      map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_10 when
+        map_of_low_0_c_below_a_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_10;
+      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
+        map_of_low_0_b_below_a_is_equal;
+      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
+      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
+        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_5 when
+        map_of_low_0_c_below_b_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_5;
+      map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_7 when
+        map_of_low_0_c_below_b_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_7;
+      map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_9 when
+        map_of_low_0_c_below_b_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_9;
+      map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_11 when
+        map_of_low_0_c_below_b_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_11;
+      map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
+      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
+        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
+        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      map_of_middle_0_b_below_a_value_4 := ((map_middle_0_0 / 8) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_5 := ((map_middle_1_0 / 8) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_4) or
+        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_b_below_a_choice_3 else (not
+        map_of_middle_0_b_below_a_value_4) and map_of_middle_0_b_below_a_value_5;
+      map_of_middle_0_b_below_a_value_6 := ((map_middle_0_0 / 16) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_7 := ((map_middle_1_0 / 16) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_6) or
+        map_of_middle_0_b_below_a_value_7 when map_of_middle_0_b_below_a_choice_4 else (not
+        map_of_middle_0_b_below_a_value_6) and map_of_middle_0_b_below_a_value_7;
+      map_of_middle_0_b_below_a_value_8 := ((map_middle_0_0 / 32) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_9 := ((map_middle_1_0 / 32) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_8) or
+        map_of_middle_0_b_below_a_value_9 when map_of_middle_0_b_below_a_choice_5 else (not
+        map_of_middle_0_b_below_a_value_8) and map_of_middle_0_b_below_a_value_9;
+      map_of_middle_0_b_below_a_value_10 := ((map_middle_0_0 / 64) mod 2) = 1;
+      map_of_middle_0_b_below_a_value_11 := ((map_middle_1_0 / 64) mod 2) = 1;
+      map_of_middle_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_10) or
+        map_of_middle_0_b_below_a_value_11 when map_of_middle_0_b_below_a_choice_6 else (not
+        map_of_middle_0_b_below_a_value_10) and map_of_middle_0_b_below_a_value_11;
+      map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
+      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
+        (map_middle_0_0 mod 4) = 0;
+      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
+      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_2;
+      map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_4 when map_of_middle_0_c_below_a_choice_3 else (not (((map_middle_2_0 / 8) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_4;
+      map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_6 when map_of_middle_0_c_below_a_choice_4 else (not (((map_middle_2_0 / 16) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_6;
+      map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_8 when map_of_middle_0_c_below_a_choice_5 else (not (((map_middle_2_0 / 32) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_8;
+      map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_10 when map_of_middle_0_c_below_a_choice_6 else (not (((map_middle_2_0 / 64)
+        mod 2) = 1)) and map_of_middle_0_b_below_a_value_10;
+      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
+        map_of_middle_0_b_below_a_is_equal;
+      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
+        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
+      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
+        2) = 1)) or map_of_middle_0_b_below_a_value_3;
+      map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_c_below_b_choice_3 else (not (((map_middle_2_0 / 8) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_5;
+      map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_7 when map_of_middle_0_c_below_b_choice_4 else (not (((map_middle_2_0 / 16) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_7;
+      map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_9 when map_of_middle_0_c_below_b_choice_5 else (not (((map_middle_2_0 / 32) mod
+        2) = 1)) and map_of_middle_0_b_below_a_value_9;
+      map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+        map_of_middle_0_b_below_a_value_11 when map_of_middle_0_c_below_b_choice_6 else (not (((map_middle_2_0 / 64)
+        mod 2) = 1)) and map_of_middle_0_b_below_a_value_11;
+      map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
+      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
+        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
+      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
+        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_b_below_a_value_4 := ((map_high_0_0 / 8) mod 2) = 1;
+      map_of_high_0_b_below_a_value_5 := ((map_high_1_0 / 8) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5 when
+        map_of_high_0_b_below_a_choice_3 else (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      map_of_high_0_b_below_a_value_6 := ((map_high_0_0 / 16) mod 2) = 1;
+      map_of_high_0_b_below_a_value_7 := ((map_high_1_0 / 16) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7 when
+        map_of_high_0_b_below_a_choice_4 else (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      map_of_high_0_b_below_a_value_8 := ((map_high_0_0 / 32) mod 2) = 1;
+      map_of_high_0_b_below_a_value_9 := ((map_high_1_0 / 32) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9 when
+        map_of_high_0_b_below_a_choice_5 else (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      map_of_high_0_b_below_a_value_10 := ((map_high_0_0 / 64) mod 2) = 1;
+      map_of_high_0_b_below_a_value_11 := ((map_high_1_0 / 64) mod 2) = 1;
+      map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11
+        when map_of_high_0_b_below_a_choice_6 else (not map_of_high_0_b_below_a_value_10) and
+        map_of_high_0_b_below_a_value_11;
+      map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
+      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
+        (map_high_0_0 mod 4) = 0;
+      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
+      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
+        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_2;
+      map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4
+        when map_of_high_0_c_below_a_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_4;
+      map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6
+        when map_of_high_0_c_below_a_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_6;
+      map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8
+        when map_of_high_0_c_below_a_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_8;
+      map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10
+        when map_of_high_0_c_below_a_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_10;
+      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
+        map_of_high_0_b_below_a_is_equal;
+      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
+        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
+      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
+        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
+        map_of_high_0_b_below_a_value_3;
+      map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5
+        when map_of_high_0_c_below_b_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_5;
+      map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7
+        when map_of_high_0_c_below_b_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_7;
+      map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9
+        when map_of_high_0_c_below_b_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_9;
+      map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11
+        when map_of_high_0_c_below_b_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
+        map_of_high_0_b_below_a_value_11;
+      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
+      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
+      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
+      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
+      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
+      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
+        map_median_middle_0_choice_3;
+      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
+      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
+      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
+        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
+      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
+        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
+        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      map_of_all_0_b_below_a_value_4 := ((map_largest_low_0 / 8) mod 2) = 1;
+      map_of_all_0_b_below_a_value_5 := ((map_median_middle_0 / 8) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_4 := (not map_of_all_0_b_below_a_value_4) or map_of_all_0_b_below_a_value_5 when
+        map_of_all_0_b_below_a_choice_3 else (not map_of_all_0_b_below_a_value_4) and map_of_all_0_b_below_a_value_5;
+      map_of_all_0_b_below_a_value_6 := ((map_largest_low_0 / 16) mod 2) = 1;
+      map_of_all_0_b_below_a_value_7 := ((map_median_middle_0 / 16) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_5 := (not map_of_all_0_b_below_a_value_6) or map_of_all_0_b_below_a_value_7 when
+        map_of_all_0_b_below_a_choice_4 else (not map_of_all_0_b_below_a_value_6) and map_of_all_0_b_below_a_value_7;
+      map_of_all_0_b_below_a_value_8 := ((map_largest_low_0 / 32) mod 2) = 1;
+      map_of_all_0_b_below_a_value_9 := ((map_median_middle_0 / 32) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_6 := (not map_of_all_0_b_below_a_value_8) or map_of_all_0_b_below_a_value_9 when
+        map_of_all_0_b_below_a_choice_5 else (not map_of_all_0_b_below_a_value_8) and map_of_all_0_b_below_a_value_9;
+      map_of_all_0_b_below_a_value_10 := ((map_largest_low_0 / 64) mod 2) = 1;
+      map_of_all_0_b_below_a_value_11 := ((map_median_middle_0 / 64) mod 2) = 1;
+      map_of_all_0_b_below_a_choice_7 := (not map_of_all_0_b_below_a_value_10) or map_of_all_0_b_below_a_value_11 when
+        map_of_all_0_b_below_a_choice_6 else (not map_of_all_0_b_below_a_value_10) and map_of_all_0_b_below_a_value_11;
+      map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
+      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
+        (map_largest_low_0 mod 4) = 0;
+      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
+      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_2;
+      map_of_all_0_c_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_4 when map_of_all_0_c_below_a_choice_3 else (not (((map_smallest_high_0 / 8) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_4;
+      map_of_all_0_c_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_6 when map_of_all_0_c_below_a_choice_4 else (not (((map_smallest_high_0 / 16) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_6;
+      map_of_all_0_c_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_8 when map_of_all_0_c_below_a_choice_5 else (not (((map_smallest_high_0 / 32) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_8;
+      map_of_all_0_c_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_10 when map_of_all_0_c_below_a_choice_6 else (not (((map_smallest_high_0 / 64) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_10;
+      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
+        else map_of_all_0_b_below_a_is_equal;
+      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
+        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
+        map_of_all_0_c_below_b_choice;
+      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
+        2) = 1)) or map_of_all_0_b_below_a_value_3;
+      map_of_all_0_c_below_b_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_5 when map_of_all_0_c_below_b_choice_3 else (not (((map_smallest_high_0 / 8) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_5;
+      map_of_all_0_c_below_b_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_7 when map_of_all_0_c_below_b_choice_4 else (not (((map_smallest_high_0 / 16) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_7;
+      map_of_all_0_c_below_b_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_9 when map_of_all_0_c_below_b_choice_5 else (not (((map_smallest_high_0 / 32) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_9;
+      map_of_all_0_c_below_b_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+        map_of_all_0_b_below_a_value_11 when map_of_all_0_c_below_b_choice_6 else (not (((map_smallest_high_0 / 64) mod
+        2) = 1)) and map_of_all_0_b_below_a_value_11;
+      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
+      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
+      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
+      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
+      map_counter_group <= map_counter_group_choice * 4 when other_6 and ((other_7 mod 2) = 1) else
         map_counter_group_choice_4;
+      map_counter_next_frame <= map_counter_next_frame_choice_4 or ((not other_6) and map_counter_next_frame);
       map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
-      map_arrives <= other_5;
+      map_arrives <= other_6;
       map_behind <= map_line_ended and lastwinner4_tag_valid;
       map_line_ended <= map_line_ended_choice when fill_out_tag_map_column else (not lastwinner4_tag_valid) and
         map_line_ended;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_column <= map_counter_column;
-      map_read_arrives <= map_arrives;
-      map_read_behind <= map_behind;
-      map_read_top <= map_counter_group = 1;
-      map_read_output <= ((map_counter_group + 65535) mod 65536) < 12;
-      map_ready_column <= map_read_column;
-      map_ready_arrives <= map_read_arrives;
-      map_ready_behind <= map_read_behind;
-      map_ready_top <= map_read_top;
-      map_ready_output <= map_read_output;
-      map_write_column <= map_ready_column;
+      map_read_bottom <= to_integer(other_3(40 downto 40)) = 1;
+      map_write_column <= to_integer(other_3(4 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
-      map_at_arrives <= map_ready_arrives;
-      map_at_behind <= map_ready_behind;
-      map_at_top <= map_ready_top;
-      map_at_output <= map_ready_output;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        (map_at_arrives or map_at_behind);
-      map_complete <= (not map_complete_choice_2) and map_at_output;
-      map_first <= map_at_arrives and map_at_top and (map_write_column = 1);
-      map_last <= map_at_behind;
-      map_largest_low_0 <= map_largest_low_0_choice when map_low_2_0 < map_largest_low_0_choice else map_low_2_0;
-      map_median_middle_0 <= map_median_middle_0_choice_3 when map_median_middle_0_choice_2 <
-        map_median_middle_0_choice_3 else map_median_middle_0_choice_2;
-      map_smallest_high_0 <= map_high_2_0 when map_high_2_0 < map_smallest_high_0_choice else
-        map_smallest_high_0_choice;
-      map_waiting_passed_0 <= map_passed_1_0;
-      map_waiting_valid <= map_complete;
-      map_waiting_start_of_frame <= map_first and map_complete;
-      map_waiting_end_of_line <= map_last and map_complete;
-      map_out_disparity_0 <= map_out_disparity_0_choice_3 when map_out_disparity_0_choice_2 <
-        map_out_disparity_0_choice_3 else map_out_disparity_0_choice_2;
-      map_out_passed_0 <= map_waiting_passed_0;
-      map_out_valid <= map_waiting_valid;
-      map_out_start_of_frame <= map_waiting_start_of_frame;
-      map_out_end_of_line <= map_waiting_end_of_line;
-      if map_ready_arrives then
+      map_at_arrives <= map_at_arrives_value;
+      map_at_behind <= to_integer(other_3(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_3(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_3(48 downto 48)) = 1;
+      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_4 / 2;
+      map_of_column_0_b <= map_column_1 / 2;
+      map_of_column_0_c <= map_column_1 / 2 when map_read_bottom else map_column_2 / 2;
+      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_4 / 256) = 1) and (not map_at_top) when
+        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) or ((other_4 / 256) = 1) or map_at_top;
+      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20
+        when map_of_column_0_c_below_a_choice_18 else (not map_of_column_0_c_below_a_choice_19) and
+        map_of_column_0_c_below_a_choice_20;
+      map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and (not
+        map_read_bottom) when map_of_column_0_c_below_b_choice_6 else (not ((map_column_2 / 256) = 1)) or
+        ((map_column_1 / 256) = 1) or map_read_bottom;
+      map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
+      map_column_passed_1_0 <= map_column_passed_0_0;
+      map_comparing_column <= map_write_column;
+      map_comparing_arrives <= map_at_arrives;
+      map_comparing_behind <= map_at_behind;
+      map_comparing_top <= map_at_top;
+      map_comparing_output <= map_at_output;
+      map_sorted_column <= map_comparing_column;
+      map_sorted_arrives <= map_comparing_arrives;
+      map_sorted_behind <= map_comparing_behind;
+      map_sorted_top <= map_comparing_top;
+      map_sorted_output <= map_comparing_output;
+      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
+      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
+        map_sorted_middle_0_choice_2;
+      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
+      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
+        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
+      map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
+      map_window_last <= map_sorted_behind;
+      map_of_low_0_a <= map_low_0_0;
+      map_of_low_0_b <= map_low_1_0;
+      map_of_low_0_c <= map_low_2_0;
+      map_of_low_0_b_below_a <= ((map_low_0_0 / 128) = 1) and (not ((map_low_1_0 / 128) = 1)) when
+        map_of_low_0_b_below_a_choice_7 else ((map_low_0_0 / 128) = 1) or (not ((map_low_1_0 / 128) = 1));
+      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1) when
+        map_of_low_0_c_below_a_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
+      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1) when
+        map_of_low_0_c_below_b_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
+      map_of_middle_0_a <= map_middle_0_0;
+      map_of_middle_0_b <= map_middle_1_0;
+      map_of_middle_0_c <= map_middle_2_0;
+      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 128) = 1) and (not ((map_middle_1_0 / 128) = 1)) when
+        map_of_middle_0_b_below_a_choice_7 else ((map_middle_0_0 / 128) = 1) or (not ((map_middle_1_0 / 128) = 1));
+      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1) when
+        map_of_middle_0_c_below_a_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
+      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1) when
+        map_of_middle_0_c_below_b_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
+      map_of_high_0_a <= map_high_0_0;
+      map_of_high_0_b <= map_high_1_0;
+      map_of_high_0_c <= map_high_2_0;
+      map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1)) when
+        map_of_high_0_b_below_a_choice_7 else ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
+      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1) when
+        map_of_high_0_c_below_a_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
+      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1) when
+        map_of_high_0_c_below_b_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
+      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
+      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
+        map_median_middle_0_choice_4;
+      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
+      map_of_all_0_a <= map_largest_low_0;
+      map_of_all_0_b <= map_median_middle_0;
+      map_of_all_0_c <= map_smallest_high_0;
+      map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1)) when
+        map_of_all_0_b_below_a_choice_7 else ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
+      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1) when
+        map_of_all_0_c_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128) =
+        1);
+      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1) when
+        map_of_all_0_c_below_b_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) =
+        1);
+      map_waiting_0_complete <= map_window_complete;
+      map_waiting_0_first <= map_window_first;
+      map_waiting_0_last <= map_window_last;
+      map_waiting_1_complete <= map_waiting_0_complete;
+      map_waiting_1_first <= map_waiting_0_first;
+      map_waiting_1_last <= map_waiting_0_last;
+      map_waiting_2_complete <= map_waiting_1_complete;
+      map_waiting_2_first <= map_waiting_1_first;
+      map_waiting_2_last <= map_waiting_1_last;
+      map_waiting_passed_0_0 <= map_passed_1_0;
+      map_waiting_passed_1_0 <= map_waiting_passed_0_0;
+      map_waiting_passed_2_0 <= map_waiting_passed_1_0;
+      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
+      map_out_passed_0 <= map_waiting_passed_2_0;
+      map_out_valid <= map_waiting_2_complete;
+      map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
+      map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
-        map_at_column <= map_ready_column;
+        map_at_column <= to_integer(other_3(4 downto 0));
       end if;
-      if delay_ring_read_address then
-        map_low_0_0_choice := map_column_1 / 2;
-      else
-        map_low_0_0_choice := map_column_2 / 2;
-      end if;
-      if map_at_top then
-        map_low_0_0_choice_2 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_2 := other_3 / 2;
-      end if;
-      map_low_0_0_is_less := (map_column_1 / 2) < map_low_0_0_choice_2;
-      if map_low_0_0_is_less then
-        map_low_0_0_choice_3 := map_column_1 / 2;
-      else
-        map_low_0_0_choice_3 := map_low_0_0_choice_2;
-      end if;
-      map_low_0_0_choice_4 := map_low_0_0_choice when map_low_0_0_choice < map_low_0_0_choice_3 else
-        map_low_0_0_choice_3;
-      map_low_0_0_choice_5 := map_low_0_0 when map_at_behind else map_low_0_0_choice_4;
-      map_low_1_0_all := map_at_arrives and (map_write_column = 0);
-      map_middle_0_0_choice := map_low_0_0_choice_2 when map_low_0_0_is_less else map_column_1 / 2;
-      map_middle_0_0_is_less := map_low_0_0_choice < map_middle_0_0_choice;
-      map_middle_0_0_choice_2 := map_low_0_0_choice when map_middle_0_0_is_less else map_middle_0_0_choice;
-      map_middle_0_0_choice_3 := map_low_0_0_choice_3 when map_middle_0_0_choice_2 < map_low_0_0_choice_3 else
-        map_middle_0_0_choice_2;
-      map_middle_0_0_choice_4 := map_middle_0_0 when map_at_behind else map_middle_0_0_choice_3;
-      map_high_0_0_choice := map_middle_0_0_choice when map_middle_0_0_is_less else map_low_0_0_choice;
-      map_high_0_0_choice_2 := map_high_0_0 when map_at_behind else map_high_0_0_choice;
-      if not map_passed_1_0_all then
-        map_low_0_0 <= map_low_0_0_choice_5;
-        map_low_1_0 <= map_low_0_0_choice_5 when map_low_1_0_all else map_low_0_0;
+      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
+      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
+      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if not map_window_complete_all then
+        map_low_0_0 <= map_low_0_0_choice;
+        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
-        map_middle_0_0 <= map_middle_0_0_choice_4;
-        map_middle_1_0 <= map_middle_0_0_choice_4 when map_low_1_0_all else map_middle_0_0;
+        map_middle_0_0 <= map_middle_0_0_choice;
+        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
-        map_high_0_0 <= map_high_0_0_choice_2;
-        map_high_1_0 <= map_high_0_0_choice_2 when map_low_1_0_all else map_high_0_0;
+        map_high_0_0 <= map_high_0_0_choice;
+        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
       end if;
-      if map_at_arrives then
-        map_passed_0_0 <= (map_column_1 mod 2) = 1;
+      if map_sorted_arrives then
+        map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
       other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number((turn_order_first and turn_order_output
         and turn_order_complete)) when turn_order_address_all else as_number(traceback_out_tag_end_of_line) * 256;
       other_1 <= other_0;
       other_2 <= other_1;
-      other_3 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_4 <= other_2;
-      other_5 <= fill_out_disparity_0_all;
+      other_3 <= other_5;
+      other_4 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_5 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+        to_unsigned(as_number(map_counter_group_is_equal_3), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
+        to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
+        to_unsigned(map_counter_column, 16);
+      other_6 <= fill_out_disparity_0_all;
+      other_7 <= other_2;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -6964,14 +5492,14 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
-        delay_ring_write_address <= false;
+        raster_place_next_frame <= false;
         delay_column <= 0;
         delay_tag_valid <= false;
         delay_tag_map_column <= false;
@@ -7011,6 +5539,11 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_map_column <= false;
         slice0cost_tag_output_column <= false;
@@ -7021,7 +5554,6 @@ begin
         slice0window_centre_start_of_frame_0 <= false;
         slice0window_centre_end_of_line_0 <= false;
         slice0window_tag_valid <= false;
-        slice0window_tag_row_start <= false;
         slice0window_tag_map_column <= false;
         slice0window_tag_output_column <= false;
         slice0window_tag_start_of_frame <= false;
@@ -7110,39 +5642,48 @@ begin
         fill_out_tag_map_column <= false;
         map_counter_column <= 0;
         map_counter_group <= 13;
+        map_counter_next_frame <= false;
         map_arrives <= false;
         map_behind <= false;
         map_line_ended <= false;
-        map_read_column <= 0;
-        map_read_arrives <= false;
-        map_read_behind <= false;
-        map_read_top <= false;
-        map_read_output <= false;
-        map_ready_column <= 0;
-        map_ready_arrives <= false;
-        map_ready_behind <= false;
-        map_ready_top <= false;
-        map_ready_output <= false;
         map_write_column <= 0;
         map_at_column <= 0;
         map_at_arrives <= false;
         map_at_behind <= false;
         map_at_top <= false;
         map_at_output <= false;
-        map_complete <= false;
-        map_first <= false;
-        map_last <= false;
-        map_waiting_valid <= false;
-        map_waiting_start_of_frame <= false;
-        map_waiting_end_of_line <= false;
+        map_comparing_column <= 0;
+        map_comparing_arrives <= false;
+        map_comparing_behind <= false;
+        map_comparing_top <= false;
+        map_comparing_output <= false;
+        map_sorted_column <= 0;
+        map_sorted_arrives <= false;
+        map_sorted_behind <= false;
+        map_sorted_top <= false;
+        map_sorted_output <= false;
+        map_window_complete <= false;
+        map_window_first <= false;
+        map_window_last <= false;
+        map_waiting_0_complete <= false;
+        map_waiting_0_first <= false;
+        map_waiting_0_last <= false;
+        map_waiting_1_complete <= false;
+        map_waiting_1_first <= false;
+        map_waiting_1_last <= false;
+        map_waiting_2_complete <= false;
+        map_waiting_2_first <= false;
+        map_waiting_2_last <= false;
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
         other_0 <= 0;
         other_1 <= 0;
         other_2 <= 0;
-        other_4 <= 0;
-        other_5 <= false;
+        other_3 <= to_unsigned(0, 49);
+        other_5 <= to_unsigned(0, 49);
+        other_6 <= false;
+        other_7 <= 0;
       end if;
     end if;
   end process;

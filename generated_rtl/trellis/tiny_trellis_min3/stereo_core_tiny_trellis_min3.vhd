@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_min3: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pairs a clock.
+-- Stereo core, trellis, configuration tiny_trellis_min3: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
 -- Options: disparities 12, min_disparity 3, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_min3
@@ -17,7 +17,7 @@ entity stereo_core_tiny_trellis_min3 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 26;
-    latency_clocks : positive := 27;
+    latency_clocks : positive := 28;
     flush_groups : positive := 204;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_min3: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_trellis_min3: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 26 report "stereo_core_tiny_trellis_min3: output_width_px is " & integer'image(output_width_px) & " but this core has 26" severity failure;
-  assert latency_clocks = 27 report "stereo_core_tiny_trellis_min3: latency_clocks is " & integer'image(latency_clocks) & " but this core has 27" severity failure;
+  assert latency_clocks = 28 report "stereo_core_tiny_trellis_min3: latency_clocks is " & integer'image(latency_clocks) & " but this core has 28" severity failure;
   assert flush_groups = 204 report "stereo_core_tiny_trellis_min3: flush_groups is " & integer'image(flush_groups) & " but this core has 204" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_trellis_min3: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_trellis_min3 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -137,10 +135,10 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
   signal transform_columns_row_inside_4, transform_columns_column_inside_0, transform_columns_column_inside_1 : boolean;
   signal transform_columns_column_inside_2, transform_columns_column_inside_3 : boolean;
   signal transform_columns_column_inside_4, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -150,7 +148,7 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
   signal transform_left_filter_feature_0, transform_right_filter_feature_0 : natural range 0 to 16777215;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 16777215;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -259,14 +257,21 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 24;
   signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2, slice0cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_2_0, slice0cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice0cost_pixels_cost_2_2, slice0cost_pixels_cost_2_3, slice0cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 24;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 24;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 48;
+  signal slice0cost_pair_0_4 : natural range 0 to 48;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 72;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 72;
   -- slice0window
@@ -364,6 +369,10 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
   signal slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2, slice1cost_pixels_cost_1_3 : natural range 0 to 24;
   signal slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_2_0, slice1cost_pixels_cost_2_1 : natural range 0 to 24;
   signal slice1cost_pixels_cost_2_2, slice1cost_pixels_cost_2_3, slice1cost_pixels_cost_2_4 : natural range 0 to 24;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 24;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 24;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 48;
+  signal slice1cost_pair_0_4 : natural range 0 to 48;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 72;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 72;
   signal slice1cost_tag_border_column : boolean;
@@ -408,6 +417,8 @@ architecture rtl of stereo_core_tiny_trellis_min3 is
   signal slice2cost_pixels_first_2_1_count_6, slice2cost_pixels_first_2_1_count_7 : natural range 0 to 3;
   signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_pixels_cost_1_0 : natural range 0 to 24;
   signal slice2cost_pixels_cost_1_1, slice2cost_pixels_cost_2_0, slice2cost_pixels_cost_2_1 : natural range 0 to 24;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 24;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 48;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 72;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 72;
@@ -611,10 +622,6 @@ begin
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
-    variable transform_counter_next_frame_is_equal, transform_counter_next_frame_is_equal_2 : boolean;
-    variable transform_counter_next_frame_choice, transform_counter_next_frame_choice_2 : boolean;
-    variable transform_counter_next_frame_is_equal_3, transform_counter_next_frame_all : boolean;
-    variable transform_counter_next_frame_choice_3, transform_counter_next_frame_choice_4 : boolean;
     variable transform_read_column_inside_1_is_equal, transform_read_column_inside_1_is_equal_2 : boolean;
     variable transform_read_column_inside_1_choice, transform_read_column_inside_1_differs : boolean;
     variable transform_read_column_inside_3_choice, transform_read_column_inside_3_choice_2 : boolean;
@@ -823,608 +830,117 @@ begin
     variable transform_right_filter_feature_0_choice_189, transform_right_filter_feature_0_value_10 : boolean;
     variable transform_right_filter_feature_0_choice_190, transform_right_filter_feature_0_value_11 : boolean;
     variable transform_right_filter_feature_0_choice_191, transform_right_filter_feature_0_choice_192 : boolean;
-    variable raster_place_group_choice_2, raster_features_start_of_frame_choice, delay_row_inside_1_is_less : boolean;
-    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_4, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_all, raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
+    variable raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable raster_place_next_frame_choice_3, raster_place_next_frame_choice_4 : boolean;
+    variable delay_row_inside_1_is_not_less, delay_row_inside_1_is_less, delay_tag_first_cost_is_equal : boolean;
+    variable delay_tag_map_column_is_less, slice0cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_0_value_2, slice0cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_2, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value, slice0cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value, slice0cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_2, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value, slice0cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_2, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value, slice0cost_pixels_first_0_0_count_7_value_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_0_value, slice0cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_choice, slice0cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_0_value_4, slice0cost_pixels_first_1_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_1_0_count_1_value, slice0cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice, slice0cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_4, slice0cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_value_5, slice0cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_1_choice_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_value_3, slice0cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_2_choice_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_3, slice0cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_choice_2, slice0cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_3_value_6, slice0cost_pixels_first_1_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_1_value_3, slice0cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_2_value_2, slice0cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_3_value_2, slice0cost_pixels_first_1_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_4_value, slice0cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice, slice0cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_4, slice0cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_value_5, slice0cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_4_choice_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_3, slice0cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_choice_2, slice0cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_1_0_count_5_value_6, slice0cost_pixels_first_1_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_4_value_3, slice0cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_5_value_2, slice0cost_pixels_first_1_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_1_0_count_6_value, slice0cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice, slice0cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_4, slice0cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_value_5, slice0cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_1_0_count_6_choice_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_choice_2, slice0cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_1_0_count_7_value_4, slice0cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_0_choice, slice0cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice, slice0cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_1_choice_3, slice0cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_2_choice_2, slice0cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_3_choice_2, slice0cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice, slice0cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_4_choice_3, slice0cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_5_choice_2, slice0cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice, slice0cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_1_count_6_choice_3, slice0cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_1_count_7_choice_2, slice0cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_0_choice, slice0cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice, slice0cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_1_choice_3, slice0cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_2_choice_2, slice0cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_3_choice_2, slice0cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice, slice0cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_4_choice_3, slice0cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_5_choice_2, slice0cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice, slice0cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_2_count_6_choice_3, slice0cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_2_count_7_choice_2, slice0cost_pixels_first_1_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_0_choice, slice0cost_pixels_first_1_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice, slice0cost_pixels_first_1_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_1_choice_3, slice0cost_pixels_first_1_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_2_choice_2, slice0cost_pixels_first_1_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_3_choice_2, slice0cost_pixels_first_1_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice, slice0cost_pixels_first_1_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_4_choice_3, slice0cost_pixels_first_1_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_5_choice_2, slice0cost_pixels_first_1_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice, slice0cost_pixels_first_1_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_3_count_6_choice_3, slice0cost_pixels_first_1_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_3_count_7_choice_2, slice0cost_pixels_first_1_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_0_choice, slice0cost_pixels_first_1_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice, slice0cost_pixels_first_1_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_1_choice_3, slice0cost_pixels_first_1_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_2_choice_2, slice0cost_pixels_first_1_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_3_choice_2, slice0cost_pixels_first_1_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice, slice0cost_pixels_first_1_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_4_choice_3, slice0cost_pixels_first_1_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_5_choice_2, slice0cost_pixels_first_1_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice, slice0cost_pixels_first_1_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_1_4_count_6_choice_3, slice0cost_pixels_first_1_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_1_4_count_7_choice_2, slice0cost_pixels_first_1_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value, slice0cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_choice, slice0cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_0_value_4, slice0cost_pixels_first_2_0_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value, slice0cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_4, slice0cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_value_5, slice0cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_1_choice_3, slice0cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_2, slice0cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_value_3, slice0cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_2_choice_2, slice0cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_2, slice0cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_choice_2, slice0cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_3_value_6, slice0cost_pixels_first_2_0_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value, slice0cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_4, slice0cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_value_5, slice0cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_4_choice_3, slice0cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_2, slice0cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_choice_2, slice0cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_2_0_count_5_value_6, slice0cost_pixels_first_2_0_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value, slice0cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_4, slice0cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_value_5, slice0cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_2_0_count_6_choice_3, slice0cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_2, slice0cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_choice_2, slice0cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice0cost_pixels_first_2_0_count_7_value_4, slice0cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_0_choice, slice0cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice, slice0cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_1_choice_3, slice0cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_2_choice_2, slice0cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_3_choice_2, slice0cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice, slice0cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_4_choice_3, slice0cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_5_choice_2, slice0cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice, slice0cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_1_count_6_choice_3, slice0cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_1_count_7_choice_2, slice0cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_0_choice, slice0cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice, slice0cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_1_choice_3, slice0cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_2_choice_2, slice0cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_3_choice_2, slice0cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice, slice0cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_4_choice_3, slice0cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_5_choice_2, slice0cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice, slice0cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_2_count_6_choice_3, slice0cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_2_count_7_choice_2, slice0cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_0_choice, slice0cost_pixels_first_2_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice, slice0cost_pixels_first_2_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_1_choice_3, slice0cost_pixels_first_2_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_2_choice_2, slice0cost_pixels_first_2_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_3_choice_2, slice0cost_pixels_first_2_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice, slice0cost_pixels_first_2_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_4_choice_3, slice0cost_pixels_first_2_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_5_choice_2, slice0cost_pixels_first_2_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice, slice0cost_pixels_first_2_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_3_count_6_choice_3, slice0cost_pixels_first_2_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_3_count_7_choice_2, slice0cost_pixels_first_2_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_0_choice, slice0cost_pixels_first_2_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice, slice0cost_pixels_first_2_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_1_choice_3, slice0cost_pixels_first_2_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_2_choice_2, slice0cost_pixels_first_2_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_3_choice_2, slice0cost_pixels_first_2_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice, slice0cost_pixels_first_2_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_4_choice_3, slice0cost_pixels_first_2_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_5_choice_2, slice0cost_pixels_first_2_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice, slice0cost_pixels_first_2_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_2_4_count_6_choice_3, slice0cost_pixels_first_2_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_2_4_count_7_choice_2, slice0cost_pixels_first_2_4_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_1_0_count_6_value_3, slice0cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_1_0_count_7_value_2, slice0cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_0_value_2, slice0cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_1_value_2, slice0cost_pixels_first_2_0_count_1_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_2_value, slice0cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value, slice0cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_3_value_3, slice0cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_4_value_2, slice0cost_pixels_first_2_0_count_4_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value, slice0cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice0cost_pixels_first_2_0_count_5_value_3, slice0cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice0cost_pixels_first_2_0_count_6_value_2, slice0cost_pixels_first_2_0_count_6_value_3 : boolean;
+    variable slice0cost_pixels_first_2_0_count_7_value, slice0cost_pixels_first_2_0_count_7_value_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice, slice1cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_4, slice1cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_4, slice1cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_5, slice1cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_3, slice1cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_2, slice1cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_6, slice1cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_4, slice1cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_5, slice1cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_2, slice1cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_6, slice1cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_4, slice1cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_5, slice1cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_2, slice1cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_4, slice1cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice, slice1cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice, slice1cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_3, slice1cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice_2, slice1cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_2, slice1cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice, slice1cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_3, slice1cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_2, slice1cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice, slice1cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_3, slice1cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_2, slice1cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice, slice1cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice, slice1cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_3, slice1cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice_2, slice1cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_2, slice1cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice, slice1cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_3, slice1cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_2, slice1cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice, slice1cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_3, slice1cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_2, slice1cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice, slice1cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice, slice1cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_3, slice1cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice_2, slice1cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_2, slice1cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice, slice1cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_3, slice1cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_2, slice1cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice, slice1cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_3, slice1cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_2, slice1cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice, slice1cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice, slice1cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_3, slice1cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice_2, slice1cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_2, slice1cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice, slice1cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_3, slice1cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_2, slice1cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice, slice1cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_3, slice1cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_2, slice1cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value, slice1cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_choice, slice1cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_0_value_4, slice1cost_pixels_first_1_0_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value, slice1cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_4, slice1cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_value_5, slice1cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_1_choice_3, slice1cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_2, slice1cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_value_3, slice1cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_2_choice_2, slice1cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_2, slice1cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_choice_2, slice1cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_3_value_6, slice1cost_pixels_first_1_0_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value, slice1cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice, slice1cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_4, slice1cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_value_5, slice1cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_4_choice_3, slice1cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_2, slice1cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_3, slice1cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_choice_2, slice1cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_1_0_count_5_value_6, slice1cost_pixels_first_1_0_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value, slice1cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice, slice1cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_4, slice1cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_value_5, slice1cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_1_0_count_6_choice_3, slice1cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_2, slice1cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_choice_2, slice1cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_1_0_count_7_value_4, slice1cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_0_choice, slice1cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice, slice1cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_1_choice_3, slice1cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_2_choice_2, slice1cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_3_choice_2, slice1cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice, slice1cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_4_choice_3, slice1cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_5_choice_2, slice1cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice, slice1cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_1_count_6_choice_3, slice1cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_1_count_7_choice_2, slice1cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_0_choice, slice1cost_pixels_first_1_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice, slice1cost_pixels_first_1_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_1_choice_3, slice1cost_pixels_first_1_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_2_choice_2, slice1cost_pixels_first_1_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_3_choice_2, slice1cost_pixels_first_1_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice, slice1cost_pixels_first_1_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_4_choice_3, slice1cost_pixels_first_1_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_5_choice_2, slice1cost_pixels_first_1_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice, slice1cost_pixels_first_1_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_2_count_6_choice_3, slice1cost_pixels_first_1_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_2_count_7_choice_2, slice1cost_pixels_first_1_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_0_choice, slice1cost_pixels_first_1_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice, slice1cost_pixels_first_1_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_1_choice_3, slice1cost_pixels_first_1_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_2_choice_2, slice1cost_pixels_first_1_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_3_choice_2, slice1cost_pixels_first_1_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice, slice1cost_pixels_first_1_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_4_choice_3, slice1cost_pixels_first_1_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_5_choice_2, slice1cost_pixels_first_1_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice, slice1cost_pixels_first_1_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_3_count_6_choice_3, slice1cost_pixels_first_1_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_3_count_7_choice_2, slice1cost_pixels_first_1_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_0_choice, slice1cost_pixels_first_1_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice, slice1cost_pixels_first_1_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_1_choice_3, slice1cost_pixels_first_1_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_2_choice_2, slice1cost_pixels_first_1_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_3_choice_2, slice1cost_pixels_first_1_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice, slice1cost_pixels_first_1_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_4_choice_3, slice1cost_pixels_first_1_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_5_choice_2, slice1cost_pixels_first_1_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice, slice1cost_pixels_first_1_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_1_4_count_6_choice_3, slice1cost_pixels_first_1_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_1_4_count_7_choice_2, slice1cost_pixels_first_1_4_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_1_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_0_value_2, slice1cost_pixels_first_1_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_1_value_2, slice1cost_pixels_first_1_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_2_value, slice1cost_pixels_first_1_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value, slice1cost_pixels_first_1_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_3_value_3, slice1cost_pixels_first_1_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_4_value_2, slice1cost_pixels_first_1_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value, slice1cost_pixels_first_1_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_1_0_count_5_value_3, slice1cost_pixels_first_1_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_1_0_count_6_value_2, slice1cost_pixels_first_1_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_count_7_value, slice1cost_pixels_first_1_0_count_7_value_2 : boolean;
     variable slice1cost_pixels_first_2_0_count_0_value, slice1cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_choice, slice1cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_0_value_4, slice1cost_pixels_first_2_0_count_0_choice_2 : boolean;
     variable slice1cost_pixels_first_2_0_count_1_value, slice1cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice, slice1cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_4, slice1cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_value_5, slice1cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_1_choice_3, slice1cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_2, slice1cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_value_3, slice1cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_2_choice_2, slice1cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_2, slice1cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_3, slice1cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_choice_2, slice1cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_3_value_6, slice1cost_pixels_first_2_0_count_3_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_1_value_3, slice1cost_pixels_first_2_0_count_2_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_2_value_2, slice1cost_pixels_first_2_0_count_3_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_3_value_2, slice1cost_pixels_first_2_0_count_3_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_4_value, slice1cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice, slice1cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_4, slice1cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_value_5, slice1cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_4_choice_3, slice1cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_2, slice1cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_3, slice1cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_choice_2, slice1cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_2_0_count_5_value_6, slice1cost_pixels_first_2_0_count_5_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_4_value_3, slice1cost_pixels_first_2_0_count_5_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_5_value_2, slice1cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice1cost_pixels_first_2_0_count_6_value, slice1cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice, slice1cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_4, slice1cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_value_5, slice1cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_2_0_count_6_choice_3, slice1cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_2, slice1cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_choice_2, slice1cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice1cost_pixels_first_2_0_count_7_value_4, slice1cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_0_choice, slice1cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice, slice1cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_1_choice_3, slice1cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_2_choice_2, slice1cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_3_choice_2, slice1cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice, slice1cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_4_choice_3, slice1cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_5_choice_2, slice1cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice, slice1cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_1_count_6_choice_3, slice1cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_1_count_7_choice_2, slice1cost_pixels_first_2_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_0_choice, slice1cost_pixels_first_2_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice, slice1cost_pixels_first_2_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_1_choice_3, slice1cost_pixels_first_2_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_2_choice_2, slice1cost_pixels_first_2_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_3_choice_2, slice1cost_pixels_first_2_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice, slice1cost_pixels_first_2_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_4_choice_3, slice1cost_pixels_first_2_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_5_choice_2, slice1cost_pixels_first_2_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice, slice1cost_pixels_first_2_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_2_count_6_choice_3, slice1cost_pixels_first_2_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_2_count_7_choice_2, slice1cost_pixels_first_2_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_0_choice, slice1cost_pixels_first_2_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice, slice1cost_pixels_first_2_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_1_choice_3, slice1cost_pixels_first_2_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_2_choice_2, slice1cost_pixels_first_2_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_3_choice_2, slice1cost_pixels_first_2_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice, slice1cost_pixels_first_2_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_4_choice_3, slice1cost_pixels_first_2_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_5_choice_2, slice1cost_pixels_first_2_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice, slice1cost_pixels_first_2_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_3_count_6_choice_3, slice1cost_pixels_first_2_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_3_count_7_choice_2, slice1cost_pixels_first_2_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_0_choice, slice1cost_pixels_first_2_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice, slice1cost_pixels_first_2_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_1_choice_3, slice1cost_pixels_first_2_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_2_choice_2, slice1cost_pixels_first_2_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_3_choice_2, slice1cost_pixels_first_2_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice, slice1cost_pixels_first_2_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_4_choice_3, slice1cost_pixels_first_2_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_5_choice_2, slice1cost_pixels_first_2_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice, slice1cost_pixels_first_2_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_2_4_count_6_choice_3, slice1cost_pixels_first_2_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_2_4_count_7_choice_2, slice1cost_pixels_first_2_4_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice, slice2cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_4, slice2cost_pixels_first_0_0_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_4, slice2cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_5, slice2cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_3, slice2cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_2, slice2cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_6, slice2cost_pixels_first_0_0_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_4, slice2cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_5, slice2cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_2, slice2cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_6, slice2cost_pixels_first_0_0_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_4, slice2cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_5, slice2cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_2, slice2cost_pixels_first_0_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_4, slice2cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice, slice2cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice, slice2cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_3, slice2cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice_2, slice2cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_2, slice2cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice, slice2cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_3, slice2cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_2, slice2cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice, slice2cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_3, slice2cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_2, slice2cost_pixels_first_0_1_count_7_choice_3 : boolean;
+    variable slice1cost_pixels_first_2_0_count_6_value_3, slice1cost_pixels_first_2_0_count_7_value : boolean;
+    variable slice1cost_pixels_first_2_0_count_7_value_2, slice2cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_0_value_2, slice2cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_2, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value, slice2cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value, slice2cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_2, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value, slice2cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_2, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value, slice2cost_pixels_first_0_0_count_7_value_2 : boolean;
     variable slice2cost_pixels_first_1_0_count_0_value, slice2cost_pixels_first_1_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_choice, slice2cost_pixels_first_1_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_0_value_4, slice2cost_pixels_first_1_0_count_0_choice_2 : boolean;
     variable slice2cost_pixels_first_1_0_count_1_value, slice2cost_pixels_first_1_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice, slice2cost_pixels_first_1_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_4, slice2cost_pixels_first_1_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_value_5, slice2cost_pixels_first_1_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_1_choice_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_value_3, slice2cost_pixels_first_1_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_2_choice_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_3, slice2cost_pixels_first_1_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_choice_2, slice2cost_pixels_first_1_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_3_value_6, slice2cost_pixels_first_1_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_1_value_3, slice2cost_pixels_first_1_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_2_value_2, slice2cost_pixels_first_1_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_3_value_2, slice2cost_pixels_first_1_0_count_3_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_4_value, slice2cost_pixels_first_1_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice, slice2cost_pixels_first_1_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_4, slice2cost_pixels_first_1_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_value_5, slice2cost_pixels_first_1_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_4_choice_3, slice2cost_pixels_first_1_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_2, slice2cost_pixels_first_1_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_3, slice2cost_pixels_first_1_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_choice_2, slice2cost_pixels_first_1_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_1_0_count_5_value_6, slice2cost_pixels_first_1_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_4_value_3, slice2cost_pixels_first_1_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_5_value_2, slice2cost_pixels_first_1_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_1_0_count_6_value, slice2cost_pixels_first_1_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice, slice2cost_pixels_first_1_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_4, slice2cost_pixels_first_1_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_value_5, slice2cost_pixels_first_1_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_1_0_count_6_choice_3, slice2cost_pixels_first_1_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_2, slice2cost_pixels_first_1_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_choice_2, slice2cost_pixels_first_1_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_1_0_count_7_value_4, slice2cost_pixels_first_1_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_0_choice, slice2cost_pixels_first_1_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice, slice2cost_pixels_first_1_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_1_choice_3, slice2cost_pixels_first_1_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_2_choice_2, slice2cost_pixels_first_1_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_3_choice_2, slice2cost_pixels_first_1_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice, slice2cost_pixels_first_1_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_4_choice_3, slice2cost_pixels_first_1_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_5_choice_2, slice2cost_pixels_first_1_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice, slice2cost_pixels_first_1_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_1_1_count_6_choice_3, slice2cost_pixels_first_1_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_1_1_count_7_choice_2, slice2cost_pixels_first_1_1_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value, slice2cost_pixels_first_2_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_choice, slice2cost_pixels_first_2_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_0_value_4, slice2cost_pixels_first_2_0_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value, slice2cost_pixels_first_2_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_4, slice2cost_pixels_first_2_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_value_5, slice2cost_pixels_first_2_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_1_choice_3, slice2cost_pixels_first_2_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_2, slice2cost_pixels_first_2_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_value_3, slice2cost_pixels_first_2_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_2_choice_2, slice2cost_pixels_first_2_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_2, slice2cost_pixels_first_2_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_choice_2, slice2cost_pixels_first_2_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_3_value_6, slice2cost_pixels_first_2_0_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value, slice2cost_pixels_first_2_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice, slice2cost_pixels_first_2_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_4, slice2cost_pixels_first_2_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_value_5, slice2cost_pixels_first_2_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_4_choice_3, slice2cost_pixels_first_2_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_choice_2, slice2cost_pixels_first_2_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_2_0_count_5_value_6, slice2cost_pixels_first_2_0_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_4, slice2cost_pixels_first_2_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_value_5, slice2cost_pixels_first_2_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_2_0_count_6_choice_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, slice2cost_pixels_first_2_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_choice_2, slice2cost_pixels_first_2_0_count_7_value_3 : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_4, slice2cost_pixels_first_2_0_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_0_choice, slice2cost_pixels_first_2_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice, slice2cost_pixels_first_2_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_1_choice_3, slice2cost_pixels_first_2_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_2_choice_2, slice2cost_pixels_first_2_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_3_choice_2, slice2cost_pixels_first_2_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice, slice2cost_pixels_first_2_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_4_choice_3, slice2cost_pixels_first_2_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_5_choice_2, slice2cost_pixels_first_2_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice, slice2cost_pixels_first_2_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_2_1_count_6_choice_3, slice2cost_pixels_first_2_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_2_1_count_7_choice_2, slice2cost_pixels_first_2_1_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_1_0_count_6_value_3, slice2cost_pixels_first_1_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_1_0_count_7_value_2, slice2cost_pixels_first_2_0_count_0_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_0_value_2, slice2cost_pixels_first_2_0_count_1_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_1_value_2, slice2cost_pixels_first_2_0_count_1_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_2_value, slice2cost_pixels_first_2_0_count_2_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value, slice2cost_pixels_first_2_0_count_3_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_3_value_3, slice2cost_pixels_first_2_0_count_4_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_4_value_2, slice2cost_pixels_first_2_0_count_4_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value, slice2cost_pixels_first_2_0_count_5_value_2 : boolean;
+    variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
+    variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
     variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, entry_order_falls_choice, forward_path_0_value : boolean;
-    variable forward_path_1_value, forward_path_1_all, forward_path_1_value_2, forward_path_2_value : boolean;
-    variable forward_path_2_all, forward_path_2_value_2, forward_path_3_value, forward_path_3_all : boolean;
-    variable forward_path_3_value_2, forward_path_4_value, forward_path_4_all, forward_path_4_value_2 : boolean;
-    variable forward_path_5_value, forward_path_5_all, forward_path_5_value_2, forward_path_6_value : boolean;
-    variable forward_path_6_all, forward_path_6_value_2, forward_path_7_value, forward_path_7_all : boolean;
-    variable forward_path_7_value_2, forward_path_8_value, forward_path_8_all, forward_path_8_value_2 : boolean;
-    variable forward_path_9_value, forward_path_9_all, forward_path_9_value_2, forward_path_10_value : boolean;
-    variable forward_path_10_all, forward_path_10_value_2, forward_path_11_value, forward_path_11_all : boolean;
-    variable forward_path_11_value_2, forward_dropped_0_value, forward_dropped_1_value : boolean;
-    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
-    variable forward_dropped_5_value, forward_far_0_any, forward_far_0_choice, forward_far_1_choice : boolean;
-    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
-    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable entry_order_turned_output_column_choice, forward_path_0_value, forward_path_1_any : boolean;
+    variable forward_path_1_value, forward_path_2_any, forward_path_2_value, forward_path_3_any : boolean;
+    variable forward_path_3_value, forward_path_4_any, forward_path_4_value, forward_path_5_any : boolean;
+    variable forward_path_5_value, forward_path_6_any, forward_path_6_value, forward_path_7_any : boolean;
+    variable forward_path_7_value, forward_path_8_any, forward_path_8_value, forward_path_9_any : boolean;
+    variable forward_path_9_value, forward_path_10_any, forward_path_10_value, forward_path_11_any : boolean;
+    variable forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
+    variable forward_dropped_3_value, forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any : boolean;
+    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
+    variable forward_far_5_choice, decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
     variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
     variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
     variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
@@ -1435,31 +951,26 @@ begin
     variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
     variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
-    variable forward_decision_1_choice_3, forward_decision_2_choice_3 : natural range 0 to 3;
-    variable forward_decision_3_choice_3, forward_decision_4_choice_3 : natural range 0 to 3;
-    variable forward_decision_5_choice_3, forward_decision_6_choice, forward_decision_7_choice : natural range 0 to 3;
-    variable forward_decision_8_choice, forward_decision_9_choice, forward_decision_10_choice : natural range 0 to 3;
-    variable forward_decision_11_choice, traceback_decision_choice, traceback_decision_choice_2 : natural range 0 to 3;
-    variable traceback_decision_choice_3, traceback_decision_choice_4 : natural range 0 to 3;
-    variable traceback_decision_choice_5, traceback_decision_choice_6 : natural range 0 to 3;
-    variable traceback_decision_choice_7, traceback_decision_choice_8 : natural range 0 to 3;
-    variable traceback_decision_choice_9, traceback_decision_choice_10 : natural range 0 to 3;
-    variable traceback_decision_choice_11, traceback_decision_choice_12 : natural range 0 to 3;
-    variable traceback_decision_choice_13, traceback_decision_choice_14 : natural range 0 to 3;
-    variable traceback_decision_choice_15, traceback_decision_choice_16 : natural range 0 to 3;
-    variable traceback_decision_choice_17, traceback_decision_choice_18 : natural range 0 to 3;
-    variable traceback_decision_choice_19, traceback_decision_choice_20 : natural range 0 to 3;
-    variable traceback_decision_choice_21, traceback_decision_choice_22 : natural range 0 to 3;
-    variable traceback_decision_choice_23, traceback_decision_choice_24 : natural range 0 to 3;
-    variable traceback_decision_choice_25, traceback_decision_choice_26 : natural range 0 to 3;
-    variable traceback_decision_choice_27, traceback_decision_choice_28 : natural range 0 to 3;
-    variable traceback_decision_choice_29, traceback_decision_choice_30 : natural range 0 to 3;
-    variable traceback_decision_choice_31, traceback_decision_choice_32 : natural range 0 to 3;
-    variable traceback_decision_choice_33, traceback_decision_choice_34 : natural range 0 to 3;
-    variable traceback_decision_choice_35, traceback_decision_choice_36 : natural range 0 to 3;
-    variable traceback_decision_choice_37, traceback_decision_choice_38 : natural range 0 to 3;
-    variable traceback_decision_choice_39, traceback_decision_choice_40 : natural range 0 to 3;
-    variable traceback_decision_choice_41 : natural range 0 to 3;
+    variable traceback_decision_choice, traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
+    variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
+    variable traceback_decision_choice_6, traceback_decision_choice_7 : natural range 0 to 3;
+    variable traceback_decision_choice_8, traceback_decision_choice_9 : natural range 0 to 3;
+    variable traceback_decision_choice_10, traceback_decision_choice_11 : natural range 0 to 3;
+    variable traceback_decision_choice_12, traceback_decision_choice_13 : natural range 0 to 3;
+    variable traceback_decision_choice_14, traceback_decision_choice_15 : natural range 0 to 3;
+    variable traceback_decision_choice_16, traceback_decision_choice_17 : natural range 0 to 3;
+    variable traceback_decision_choice_18, traceback_decision_choice_19 : natural range 0 to 3;
+    variable traceback_decision_choice_20, traceback_decision_choice_21 : natural range 0 to 3;
+    variable traceback_decision_choice_22, traceback_decision_choice_23 : natural range 0 to 3;
+    variable traceback_decision_choice_24, traceback_decision_choice_25 : natural range 0 to 3;
+    variable traceback_decision_choice_26, traceback_decision_choice_27 : natural range 0 to 3;
+    variable traceback_decision_choice_28, traceback_decision_choice_29 : natural range 0 to 3;
+    variable traceback_decision_choice_30, traceback_decision_choice_31 : natural range 0 to 3;
+    variable traceback_decision_choice_32, traceback_decision_choice_33 : natural range 0 to 3;
+    variable traceback_decision_choice_34, traceback_decision_choice_35 : natural range 0 to 3;
+    variable traceback_decision_choice_36, traceback_decision_choice_37 : natural range 0 to 3;
+    variable traceback_decision_choice_38, traceback_decision_choice_39 : natural range 0 to 3;
+    variable traceback_decision_choice_40, traceback_decision_choice_41 : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
@@ -1478,23 +989,19 @@ begin
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 26;
     variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 26;
     variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
-    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
-    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
-    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
-    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
-    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
-    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
-    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
-    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
-    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
-    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
-    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
-    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
-    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
-    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
-    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
-    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
-    variable forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
     variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
     variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
@@ -1514,24 +1021,10 @@ begin
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_choice := 3 when transform_counter_group_all else 0;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when raster_features_start_of_frame and transform_counter_group_is_equal_3
+      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
         else (transform_counter_group + 1) mod 16;
       transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
         transform_counter_group_is_equal and in_valid else transform_counter_group;
-      transform_counter_next_frame_is_equal := (raster_place_group / 2) = 6;
-      transform_counter_next_frame_is_equal_2 := raster_place_column = 39;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((raster_place_group mod 2) = 1) when
-        transform_counter_next_frame_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_next_frame_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_is_equal_3 := raster_place_group = 11;
-      transform_counter_next_frame_all := transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2;
-      transform_counter_next_frame_choice_3 := transform_filtered_valid when transform_counter_next_frame_all else
-        transform_filtered_valid and (not transform_filtered_start_of_frame);
-      transform_counter_next_frame_choice_4 := transform_counter_next_frame_choice_3 when
-        transform_counter_next_frame_choice_2 else transform_counter_next_frame_is_equal_3 and
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid and transform_filtered_start_of_frame;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
       transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
@@ -1802,9 +1295,9 @@ begin
       transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
         (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2110,7 +1603,7 @@ begin
       transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
         ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
           (as_number(transform_left_filter_feature_0_choice_176) * 4) +
@@ -2119,7 +1612,7 @@ begin
       else
         transform_left_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_120) * 256) +
           (as_number(transform_left_filter_feature_0_choice_128) * 512) +
           (as_number(transform_left_filter_feature_0_choice_136) * 128) +
@@ -2128,14 +1621,14 @@ begin
       else
         transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_195 := (as_number(transform_left_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_left_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_left_filter_feature_0_choice_112) * 1024) + transform_left_filter_feature_0_choice_194;
       else
         transform_left_filter_feature_0_choice_195 := transform_left_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_196 := (as_number(transform_left_filter_feature_0_choice_48) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_left_filter_feature_0_choice_64) * 65536) +
@@ -2405,9 +1898,9 @@ begin
       transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
         (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_column_inside_2 and
+      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
         ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_column_inside_2 and
+        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
         (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -2713,7 +2206,7 @@ begin
       transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
         ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
           (as_number(transform_right_filter_feature_0_choice_176) * 4) +
@@ -2722,7 +2215,7 @@ begin
       else
         transform_right_filter_feature_0_choice_193 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_120) * 256) +
           (as_number(transform_right_filter_feature_0_choice_128) * 512) +
           (as_number(transform_right_filter_feature_0_choice_136) * 128) +
@@ -2731,14 +2224,14 @@ begin
       else
         transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_195 := (as_number(transform_right_filter_feature_0_choice_96) * 2048) +
           (as_number(transform_right_filter_feature_0_choice_104) * 4096) +
           (as_number(transform_right_filter_feature_0_choice_112) * 1024) + transform_right_filter_feature_0_choice_194;
       else
         transform_right_filter_feature_0_choice_195 := transform_right_filter_feature_0_choice_194;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_196 := (as_number(transform_right_filter_feature_0_choice_48) * 16384)
           + (as_number(transform_right_filter_feature_0_choice_56) * 32768) +
           (as_number(transform_right_filter_feature_0_choice_64) * 65536) +
@@ -2754,8 +2247,6 @@ begin
       transform_valid <= in_valid;
       transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
         transform_counter_group_choice_3;
-      transform_counter_next_frame <= transform_counter_next_frame_choice_4 or ((not transform_filtered_valid) and
-        transform_counter_next_frame);
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2765,10 +2256,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
@@ -2778,8 +2269,8 @@ begin
       transform_read_column_inside_2 <= true;
       transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
         transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
-      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal_2 when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
+      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
+        transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -2822,25 +2313,30 @@ begin
         (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_left_filter_feature_0_choice_196;
+        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
       transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
         (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
         (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
         (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
         (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_column_inside_4 else transform_right_filter_feature_0_choice_196;
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
       if in_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
           (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2902,28 +2398,36 @@ begin
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
       end if;
       -- raster
-      raster_place_group_choice := 3 when transform_counter_next_frame_all else 0;
-      raster_place_group_choice_2 := transform_counter_next_frame_is_equal_2 and transform_filtered_valid and (not
-        ((raster_place_group mod 2) = 1)) when transform_counter_next_frame_is_equal else
-        transform_counter_next_frame_is_equal_2 and transform_filtered_valid;
-      raster_place_group_choice_3 := 1 when transform_counter_next_frame and (raster_place_group = 12) else
+      raster_place_group_is_equal := raster_place_group = 11;
+      raster_place_group_is_equal_2 := raster_place_column = 39;
+      raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
+      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
+        transform_filtering_1_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
+      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
+        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
+        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtered_valid and
-        transform_filtered_start_of_frame else raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := transform_counter_group_all when in_start_of_frame else
-        raster_features_start_of_frame;
-      if in_valid then
-        raster_features_start_of_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          raster_features_start_of_frame_choice;
-      end if;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when transform_counter_next_frame_is_equal_2 or transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
+        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
+      raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
+        raster_place_next_frame);
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
@@ -2931,23 +2435,25 @@ begin
         delay_ring_read_address <= 0 when delay_ring_read_address = 3 else (delay_ring_read_address + 1) mod 4;
         delay_ring_write_address <= delay_ring_read_address;
       end if;
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_tag_first_cost_is_equal := raster_place_column = 14;
       delay_tag_map_column_is_less := (((((raster_place_column / 2) + 32761) mod 32768) * 2) + (raster_place_column mod
         2)) < 26;
       delay_ahead_0 <= raster_features_reference_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= ((not (((raster_place_column / 8) mod 2) = 1)) or (not (((raster_place_column / 4) mod
         2) = 1)) or (not (((raster_place_column / 2) mod 2) = 1))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
-      delay_tag_end_of_line <= transform_counter_next_frame_is_equal_2;
+      delay_tag_end_of_line <= raster_place_group_is_equal_2;
       -- rows
       rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0);
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -3032,1151 +2538,548 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := ((slice0shift_reference_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_search_0_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := ((slice0shift_reference_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := ((slice0shift_search_0_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := ((slice0shift_reference_0 / 2) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_1_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_search_0_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := ((slice0shift_search_0_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := ((slice0shift_reference_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := ((slice0shift_search_0_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_2_value := ((slice0shift_reference_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_search_0_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := ((slice0shift_reference_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := ((slice0shift_search_0_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := ((slice0shift_reference_0 / 64) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_3_value := ((slice0shift_reference_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_search_0_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := ((slice0shift_search_0_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := ((slice0shift_search_0_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := ((slice0shift_reference_0 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_4_value := ((slice0shift_reference_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_search_0_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := ((slice0shift_search_0_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := ((slice0shift_search_0_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := ((slice0shift_reference_0 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := ((slice0shift_reference_0 / 8192) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_5_value := ((slice0shift_reference_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_search_0_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := ((slice0shift_search_0_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := ((slice0shift_search_0_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := ((slice0shift_reference_0 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := ((slice0shift_reference_0 / 65536) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_6_value := ((slice0shift_reference_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_search_0_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := ((slice0shift_search_0_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := ((slice0shift_search_0_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := ((slice0shift_reference_0 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := ((slice0shift_reference_0 / 524288) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_7_value := ((slice0shift_reference_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_search_0_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not ((slice0shift_search_0_0 / 8388608) = 1) when
-        (slice0shift_reference_0 / 8388608) = 1 else (slice0shift_search_0_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_3 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := ((slice0shift_search_0_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_1 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_1 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_1 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_1 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_1 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_1 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_1 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_1 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_1 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_2 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_2 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_2 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_2 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_2 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_2 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_2 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_2 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_2 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_3 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_3 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_3 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_3 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_3 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_3 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_3 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_3 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_3 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        ((slice0shift_search_0_4 / 4) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        ((slice0shift_search_0_4 / 2) mod 2) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        ((slice0shift_search_0_4 / 8) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        ((slice0shift_search_0_4 / 32) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        ((slice0shift_search_0_4 / 16) mod 2) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        ((slice0shift_search_0_4 / 256) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        ((slice0shift_search_0_4 / 64) mod 2) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        ((slice0shift_search_0_4 / 512) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        ((slice0shift_search_0_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        ((slice0shift_search_0_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        ((slice0shift_search_0_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        ((slice0shift_search_0_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        ((slice0shift_search_0_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        ((slice0shift_search_0_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        ((slice0shift_search_0_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        ((slice0shift_search_0_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        ((slice0shift_search_0_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        ((slice0shift_search_0_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        ((slice0shift_search_0_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        ((slice0shift_search_0_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not ((slice0shift_reference_0 / 8388608) = 1) when
-        (slice0shift_search_0_4 / 8388608) = 1 else (slice0shift_reference_0 / 8388608) = 1;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        ((slice0shift_search_0_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
+      slice0cost_pixels_first_0_0_count_7_value_2 := ((slice0shift_reference_0 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_0_value := ((slice0shift_reference_1 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_search_1_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value_2 when
-        slice0cost_pixels_first_1_0_count_0_value else slice0cost_pixels_first_1_0_count_0_value_2;
-      slice0cost_pixels_first_1_0_count_0_value_3 := ((slice0shift_reference_1 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_value_4 := ((slice0shift_search_1_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_4 when
-        slice0cost_pixels_first_1_0_count_0_value_3 else slice0cost_pixels_first_1_0_count_0_value_4;
+      slice0cost_pixels_first_1_0_count_0_value_2 := ((slice0shift_reference_1 / 2) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_1_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_search_1_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value_2 when
-        slice0cost_pixels_first_1_0_count_1_value else slice0cost_pixels_first_1_0_count_1_value_2;
-      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_4 := ((slice0shift_search_1_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_4 when
-        slice0cost_pixels_first_1_0_count_1_value_3 else slice0cost_pixels_first_1_0_count_1_value_4;
-      slice0cost_pixels_first_1_0_count_1_value_5 := ((slice0shift_reference_1 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_value_6 := ((slice0shift_search_1_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_6 when
-        slice0cost_pixels_first_1_0_count_1_value_5 else slice0cost_pixels_first_1_0_count_1_value_6;
+      slice0cost_pixels_first_1_0_count_1_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_1_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_2_value := ((slice0shift_reference_1 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_search_1_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value_2 when
-        slice0cost_pixels_first_1_0_count_2_value else slice0cost_pixels_first_1_0_count_2_value_2;
-      slice0cost_pixels_first_1_0_count_2_value_3 := ((slice0shift_reference_1 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_value_4 := ((slice0shift_search_1_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_4 when
-        slice0cost_pixels_first_1_0_count_2_value_3 else slice0cost_pixels_first_1_0_count_2_value_4;
+      slice0cost_pixels_first_1_0_count_2_value_2 := ((slice0shift_reference_1 / 64) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_3_value := ((slice0shift_reference_1 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_search_1_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value_2 when
-        slice0cost_pixels_first_1_0_count_3_value else slice0cost_pixels_first_1_0_count_3_value_2;
-      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_4 := ((slice0shift_search_1_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_4 when
-        slice0cost_pixels_first_1_0_count_3_value_3 else slice0cost_pixels_first_1_0_count_3_value_4;
-      slice0cost_pixels_first_1_0_count_3_value_5 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_value_6 := ((slice0shift_search_1_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_6 when
-        slice0cost_pixels_first_1_0_count_3_value_5 else slice0cost_pixels_first_1_0_count_3_value_6;
+      slice0cost_pixels_first_1_0_count_3_value_2 := ((slice0shift_reference_1 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_3_value_3 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_4_value := ((slice0shift_reference_1 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_search_1_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value_2 when
-        slice0cost_pixels_first_1_0_count_4_value else slice0cost_pixels_first_1_0_count_4_value_2;
-      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_4 := ((slice0shift_search_1_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_4 when
-        slice0cost_pixels_first_1_0_count_4_value_3 else slice0cost_pixels_first_1_0_count_4_value_4;
-      slice0cost_pixels_first_1_0_count_4_value_5 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_value_6 := ((slice0shift_search_1_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_6 when
-        slice0cost_pixels_first_1_0_count_4_value_5 else slice0cost_pixels_first_1_0_count_4_value_6;
+      slice0cost_pixels_first_1_0_count_4_value_2 := ((slice0shift_reference_1 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_4_value_3 := ((slice0shift_reference_1 / 8192) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_5_value := ((slice0shift_reference_1 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_search_1_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value_2 when
-        slice0cost_pixels_first_1_0_count_5_value else slice0cost_pixels_first_1_0_count_5_value_2;
-      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_4 := ((slice0shift_search_1_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_4 when
-        slice0cost_pixels_first_1_0_count_5_value_3 else slice0cost_pixels_first_1_0_count_5_value_4;
-      slice0cost_pixels_first_1_0_count_5_value_5 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_value_6 := ((slice0shift_search_1_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_6 when
-        slice0cost_pixels_first_1_0_count_5_value_5 else slice0cost_pixels_first_1_0_count_5_value_6;
+      slice0cost_pixels_first_1_0_count_5_value_2 := ((slice0shift_reference_1 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_5_value_3 := ((slice0shift_reference_1 / 65536) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_6_value := ((slice0shift_reference_1 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_search_1_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value_2 when
-        slice0cost_pixels_first_1_0_count_6_value else slice0cost_pixels_first_1_0_count_6_value_2;
-      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_4 := ((slice0shift_search_1_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_4 when
-        slice0cost_pixels_first_1_0_count_6_value_3 else slice0cost_pixels_first_1_0_count_6_value_4;
-      slice0cost_pixels_first_1_0_count_6_value_5 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_value_6 := ((slice0shift_search_1_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_6 when
-        slice0cost_pixels_first_1_0_count_6_value_5 else slice0cost_pixels_first_1_0_count_6_value_6;
+      slice0cost_pixels_first_1_0_count_6_value_2 := ((slice0shift_reference_1 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_1_0_count_6_value_3 := ((slice0shift_reference_1 / 524288) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value := ((slice0shift_reference_1 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_search_1_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value_2 when
-        slice0cost_pixels_first_1_0_count_7_value else slice0cost_pixels_first_1_0_count_7_value_2;
-      slice0cost_pixels_first_1_0_count_7_choice_2 := not ((slice0shift_search_1_0 / 8388608) = 1) when
-        (slice0shift_reference_1 / 8388608) = 1 else (slice0shift_search_1_0 / 8388608) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_value_4 := ((slice0shift_search_1_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_1_0_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_4 when
-        slice0cost_pixels_first_1_0_count_7_value_3 else slice0cost_pixels_first_1_0_count_7_value_4;
-      slice0cost_pixels_first_1_1_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_1 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_1_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_1 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_1 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_1_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_1 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_1_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_1 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_1_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_1 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_1_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_1 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_1 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_1_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_1_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_1_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_1_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_1_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_1_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_1_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_1_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_1_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_1_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_1_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_1_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_1_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_1 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_1_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_2_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_2 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_2_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_2 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_2 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_2_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_2 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_2_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_2 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_2_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_2 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_2_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_2 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_2 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_2_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_2_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_2_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_2_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_2_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_2_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_2_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_2_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_2_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_2_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_2_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_2_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_2_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_2 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_2_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_3_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_3 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_3_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_3 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_3 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_3_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_3 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_3_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_3 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_3_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_3 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_3_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_3 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_3 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_3_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_3_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_3_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_3_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_3_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_3_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_3_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_3_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_3_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_3_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_3_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_3_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_3_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_3 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_3_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
-      slice0cost_pixels_first_1_4_count_0_choice := not slice0cost_pixels_first_1_0_count_0_value when
-        ((slice0shift_search_1_4 / 4) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value;
-      slice0cost_pixels_first_1_4_count_0_choice_2 := not slice0cost_pixels_first_1_0_count_0_value_3 when
-        ((slice0shift_search_1_4 / 2) mod 2) = 1 else slice0cost_pixels_first_1_0_count_0_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice := not slice0cost_pixels_first_1_0_count_1_value when
-        ((slice0shift_search_1_4 / 8) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value;
-      slice0cost_pixels_first_1_4_count_1_choice_2 := not slice0cost_pixels_first_1_0_count_1_value_3 when
-        ((slice0shift_search_1_4 / 32) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_3;
-      slice0cost_pixels_first_1_4_count_1_choice_3 := not slice0cost_pixels_first_1_0_count_1_value_5 when
-        ((slice0shift_search_1_4 / 16) mod 2) = 1 else slice0cost_pixels_first_1_0_count_1_value_5;
-      slice0cost_pixels_first_1_4_count_2_choice := not slice0cost_pixels_first_1_0_count_2_value when
-        ((slice0shift_search_1_4 / 256) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value;
-      slice0cost_pixels_first_1_4_count_2_choice_2 := not slice0cost_pixels_first_1_0_count_2_value_3 when
-        ((slice0shift_search_1_4 / 64) mod 2) = 1 else slice0cost_pixels_first_1_0_count_2_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice := not slice0cost_pixels_first_1_0_count_3_value when
-        ((slice0shift_search_1_4 / 512) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value;
-      slice0cost_pixels_first_1_4_count_3_choice_2 := not slice0cost_pixels_first_1_0_count_3_value_3 when
-        ((slice0shift_search_1_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_3;
-      slice0cost_pixels_first_1_4_count_3_choice_3 := not slice0cost_pixels_first_1_0_count_3_value_5 when
-        ((slice0shift_search_1_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_1_0_count_3_value_5;
-      slice0cost_pixels_first_1_4_count_4_choice := not slice0cost_pixels_first_1_0_count_4_value when
-        ((slice0shift_search_1_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value;
-      slice0cost_pixels_first_1_4_count_4_choice_2 := not slice0cost_pixels_first_1_0_count_4_value_3 when
-        ((slice0shift_search_1_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_3;
-      slice0cost_pixels_first_1_4_count_4_choice_3 := not slice0cost_pixels_first_1_0_count_4_value_5 when
-        ((slice0shift_search_1_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_1_0_count_4_value_5;
-      slice0cost_pixels_first_1_4_count_5_choice := not slice0cost_pixels_first_1_0_count_5_value when
-        ((slice0shift_search_1_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value;
-      slice0cost_pixels_first_1_4_count_5_choice_2 := not slice0cost_pixels_first_1_0_count_5_value_3 when
-        ((slice0shift_search_1_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_3;
-      slice0cost_pixels_first_1_4_count_5_choice_3 := not slice0cost_pixels_first_1_0_count_5_value_5 when
-        ((slice0shift_search_1_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_1_0_count_5_value_5;
-      slice0cost_pixels_first_1_4_count_6_choice := not slice0cost_pixels_first_1_0_count_6_value when
-        ((slice0shift_search_1_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value;
-      slice0cost_pixels_first_1_4_count_6_choice_2 := not slice0cost_pixels_first_1_0_count_6_value_3 when
-        ((slice0shift_search_1_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_3;
-      slice0cost_pixels_first_1_4_count_6_choice_3 := not slice0cost_pixels_first_1_0_count_6_value_5 when
-        ((slice0shift_search_1_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_1_0_count_6_value_5;
-      slice0cost_pixels_first_1_4_count_7_choice := not slice0cost_pixels_first_1_0_count_7_value when
-        ((slice0shift_search_1_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value;
-      slice0cost_pixels_first_1_4_count_7_choice_2 := not ((slice0shift_reference_1 / 8388608) = 1) when
-        (slice0shift_search_1_4 / 8388608) = 1 else (slice0shift_reference_1 / 8388608) = 1;
-      slice0cost_pixels_first_1_4_count_7_choice_3 := not slice0cost_pixels_first_1_0_count_7_value_3 when
-        ((slice0shift_search_1_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_1_0_count_7_value_3;
+      slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_0_value := ((slice0shift_reference_2 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_search_2_0 / 4) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value_2 when
-        slice0cost_pixels_first_2_0_count_0_value else slice0cost_pixels_first_2_0_count_0_value_2;
-      slice0cost_pixels_first_2_0_count_0_value_3 := ((slice0shift_reference_2 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_value_4 := ((slice0shift_search_2_0 / 2) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_4 when
-        slice0cost_pixels_first_2_0_count_0_value_3 else slice0cost_pixels_first_2_0_count_0_value_4;
+      slice0cost_pixels_first_2_0_count_0_value_2 := ((slice0shift_reference_2 / 2) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_1_value := ((slice0shift_reference_2 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_search_2_0 / 8) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value_2 when
-        slice0cost_pixels_first_2_0_count_1_value else slice0cost_pixels_first_2_0_count_1_value_2;
-      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_4 := ((slice0shift_search_2_0 / 32) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_4 when
-        slice0cost_pixels_first_2_0_count_1_value_3 else slice0cost_pixels_first_2_0_count_1_value_4;
-      slice0cost_pixels_first_2_0_count_1_value_5 := ((slice0shift_reference_2 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_value_6 := ((slice0shift_search_2_0 / 16) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_6 when
-        slice0cost_pixels_first_2_0_count_1_value_5 else slice0cost_pixels_first_2_0_count_1_value_6;
+      slice0cost_pixels_first_2_0_count_1_value_2 := ((slice0shift_reference_2 / 32) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_1_value_3 := ((slice0shift_reference_2 / 16) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_2_value := ((slice0shift_reference_2 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_search_2_0 / 256) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value_2 when
-        slice0cost_pixels_first_2_0_count_2_value else slice0cost_pixels_first_2_0_count_2_value_2;
-      slice0cost_pixels_first_2_0_count_2_value_3 := ((slice0shift_reference_2 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_value_4 := ((slice0shift_search_2_0 / 64) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_4 when
-        slice0cost_pixels_first_2_0_count_2_value_3 else slice0cost_pixels_first_2_0_count_2_value_4;
+      slice0cost_pixels_first_2_0_count_2_value_2 := ((slice0shift_reference_2 / 64) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_3_value := ((slice0shift_reference_2 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_search_2_0 / 512) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value_2 when
-        slice0cost_pixels_first_2_0_count_3_value else slice0cost_pixels_first_2_0_count_3_value_2;
-      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_4 := ((slice0shift_search_2_0 / 2048) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_4 when
-        slice0cost_pixels_first_2_0_count_3_value_3 else slice0cost_pixels_first_2_0_count_3_value_4;
-      slice0cost_pixels_first_2_0_count_3_value_5 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_value_6 := ((slice0shift_search_2_0 / 1024) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_6 when
-        slice0cost_pixels_first_2_0_count_3_value_5 else slice0cost_pixels_first_2_0_count_3_value_6;
+      slice0cost_pixels_first_2_0_count_3_value_2 := ((slice0shift_reference_2 / 2048) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_3_value_3 := ((slice0shift_reference_2 / 1024) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_4_value := ((slice0shift_reference_2 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_search_2_0 / 4096) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value_2 when
-        slice0cost_pixels_first_2_0_count_4_value else slice0cost_pixels_first_2_0_count_4_value_2;
-      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_4 := ((slice0shift_search_2_0 / 16384) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_4 when
-        slice0cost_pixels_first_2_0_count_4_value_3 else slice0cost_pixels_first_2_0_count_4_value_4;
-      slice0cost_pixels_first_2_0_count_4_value_5 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_value_6 := ((slice0shift_search_2_0 / 8192) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_6 when
-        slice0cost_pixels_first_2_0_count_4_value_5 else slice0cost_pixels_first_2_0_count_4_value_6;
+      slice0cost_pixels_first_2_0_count_4_value_2 := ((slice0shift_reference_2 / 16384) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_4_value_3 := ((slice0shift_reference_2 / 8192) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_5_value := ((slice0shift_reference_2 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_search_2_0 / 32768) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value_2 when
-        slice0cost_pixels_first_2_0_count_5_value else slice0cost_pixels_first_2_0_count_5_value_2;
-      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_4 := ((slice0shift_search_2_0 / 131072) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_4 when
-        slice0cost_pixels_first_2_0_count_5_value_3 else slice0cost_pixels_first_2_0_count_5_value_4;
-      slice0cost_pixels_first_2_0_count_5_value_5 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_value_6 := ((slice0shift_search_2_0 / 65536) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_6 when
-        slice0cost_pixels_first_2_0_count_5_value_5 else slice0cost_pixels_first_2_0_count_5_value_6;
+      slice0cost_pixels_first_2_0_count_5_value_2 := ((slice0shift_reference_2 / 131072) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_5_value_3 := ((slice0shift_reference_2 / 65536) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_6_value := ((slice0shift_reference_2 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_search_2_0 / 262144) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value_2 when
-        slice0cost_pixels_first_2_0_count_6_value else slice0cost_pixels_first_2_0_count_6_value_2;
-      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_4 := ((slice0shift_search_2_0 / 1048576) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_4 when
-        slice0cost_pixels_first_2_0_count_6_value_3 else slice0cost_pixels_first_2_0_count_6_value_4;
-      slice0cost_pixels_first_2_0_count_6_value_5 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_value_6 := ((slice0shift_search_2_0 / 524288) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_6 when
-        slice0cost_pixels_first_2_0_count_6_value_5 else slice0cost_pixels_first_2_0_count_6_value_6;
+      slice0cost_pixels_first_2_0_count_6_value_2 := ((slice0shift_reference_2 / 1048576) mod 2) = 1;
+      slice0cost_pixels_first_2_0_count_6_value_3 := ((slice0shift_reference_2 / 524288) mod 2) = 1;
       slice0cost_pixels_first_2_0_count_7_value := ((slice0shift_reference_2 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_search_2_0 / 2097152) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value_2 when
-        slice0cost_pixels_first_2_0_count_7_value else slice0cost_pixels_first_2_0_count_7_value_2;
-      slice0cost_pixels_first_2_0_count_7_choice_2 := not ((slice0shift_search_2_0 / 8388608) = 1) when
-        (slice0shift_reference_2 / 8388608) = 1 else (slice0shift_search_2_0 / 8388608) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_3 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_value_4 := ((slice0shift_search_2_0 / 4194304) mod 2) = 1;
-      slice0cost_pixels_first_2_0_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_4 when
-        slice0cost_pixels_first_2_0_count_7_value_3 else slice0cost_pixels_first_2_0_count_7_value_4;
-      slice0cost_pixels_first_2_1_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_1 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_1_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_1 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_1 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_1_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_1 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_1_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_1 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_1_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_1 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_1_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_1 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_1 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_1_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_1 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_1_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_1 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_1_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_1 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_1_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_1 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_1_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_1 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_1_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_1 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_1_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_1 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_1_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_1 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_1_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_1 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_1_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_1 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_1_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_1 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_1_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_1 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_1_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_1 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_1_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_1 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_2_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_2 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_2_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_2 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_2 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_2_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_2 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_2_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_2 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_2_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_2 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_2_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_2 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_2 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_2_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_2 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_2_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_2 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_2_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_2 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_2_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_2 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_2_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_2 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_2_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_2 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_2_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_2 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_2_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_2 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_2_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_2 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_2_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_2 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_2_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_2 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_2_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_2 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_2_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_2 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_2_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_2 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_3_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_3 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_3_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_3 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_3 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_3_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_3 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_3_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_3 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_3_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_3 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_3_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_3 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_3 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_3_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_3 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_3_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_3 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_3_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_3 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_3_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_3 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_3_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_3 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_3_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_3 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_3_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_3 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_3_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_3 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_3_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_3 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_3_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_3 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_3_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_3 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_3_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_3 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_3_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_3 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_3_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_3 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
-      slice0cost_pixels_first_2_4_count_0_choice := not slice0cost_pixels_first_2_0_count_0_value when
-        ((slice0shift_search_2_4 / 4) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value;
-      slice0cost_pixels_first_2_4_count_0_choice_2 := not slice0cost_pixels_first_2_0_count_0_value_3 when
-        ((slice0shift_search_2_4 / 2) mod 2) = 1 else slice0cost_pixels_first_2_0_count_0_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice := not slice0cost_pixels_first_2_0_count_1_value when
-        ((slice0shift_search_2_4 / 8) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value;
-      slice0cost_pixels_first_2_4_count_1_choice_2 := not slice0cost_pixels_first_2_0_count_1_value_3 when
-        ((slice0shift_search_2_4 / 32) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_3;
-      slice0cost_pixels_first_2_4_count_1_choice_3 := not slice0cost_pixels_first_2_0_count_1_value_5 when
-        ((slice0shift_search_2_4 / 16) mod 2) = 1 else slice0cost_pixels_first_2_0_count_1_value_5;
-      slice0cost_pixels_first_2_4_count_2_choice := not slice0cost_pixels_first_2_0_count_2_value when
-        ((slice0shift_search_2_4 / 256) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value;
-      slice0cost_pixels_first_2_4_count_2_choice_2 := not slice0cost_pixels_first_2_0_count_2_value_3 when
-        ((slice0shift_search_2_4 / 64) mod 2) = 1 else slice0cost_pixels_first_2_0_count_2_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice := not slice0cost_pixels_first_2_0_count_3_value when
-        ((slice0shift_search_2_4 / 512) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value;
-      slice0cost_pixels_first_2_4_count_3_choice_2 := not slice0cost_pixels_first_2_0_count_3_value_3 when
-        ((slice0shift_search_2_4 / 2048) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_3;
-      slice0cost_pixels_first_2_4_count_3_choice_3 := not slice0cost_pixels_first_2_0_count_3_value_5 when
-        ((slice0shift_search_2_4 / 1024) mod 2) = 1 else slice0cost_pixels_first_2_0_count_3_value_5;
-      slice0cost_pixels_first_2_4_count_4_choice := not slice0cost_pixels_first_2_0_count_4_value when
-        ((slice0shift_search_2_4 / 4096) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value;
-      slice0cost_pixels_first_2_4_count_4_choice_2 := not slice0cost_pixels_first_2_0_count_4_value_3 when
-        ((slice0shift_search_2_4 / 16384) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_3;
-      slice0cost_pixels_first_2_4_count_4_choice_3 := not slice0cost_pixels_first_2_0_count_4_value_5 when
-        ((slice0shift_search_2_4 / 8192) mod 2) = 1 else slice0cost_pixels_first_2_0_count_4_value_5;
-      slice0cost_pixels_first_2_4_count_5_choice := not slice0cost_pixels_first_2_0_count_5_value when
-        ((slice0shift_search_2_4 / 32768) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value;
-      slice0cost_pixels_first_2_4_count_5_choice_2 := not slice0cost_pixels_first_2_0_count_5_value_3 when
-        ((slice0shift_search_2_4 / 131072) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_3;
-      slice0cost_pixels_first_2_4_count_5_choice_3 := not slice0cost_pixels_first_2_0_count_5_value_5 when
-        ((slice0shift_search_2_4 / 65536) mod 2) = 1 else slice0cost_pixels_first_2_0_count_5_value_5;
-      slice0cost_pixels_first_2_4_count_6_choice := not slice0cost_pixels_first_2_0_count_6_value when
-        ((slice0shift_search_2_4 / 262144) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value;
-      slice0cost_pixels_first_2_4_count_6_choice_2 := not slice0cost_pixels_first_2_0_count_6_value_3 when
-        ((slice0shift_search_2_4 / 1048576) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_3;
-      slice0cost_pixels_first_2_4_count_6_choice_3 := not slice0cost_pixels_first_2_0_count_6_value_5 when
-        ((slice0shift_search_2_4 / 524288) mod 2) = 1 else slice0cost_pixels_first_2_0_count_6_value_5;
-      slice0cost_pixels_first_2_4_count_7_choice := not slice0cost_pixels_first_2_0_count_7_value when
-        ((slice0shift_search_2_4 / 2097152) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value;
-      slice0cost_pixels_first_2_4_count_7_choice_2 := not ((slice0shift_reference_2 / 8388608) = 1) when
-        (slice0shift_search_2_4 / 8388608) = 1 else (slice0shift_reference_2 / 8388608) = 1;
-      slice0cost_pixels_first_2_4_count_7_choice_3 := not slice0cost_pixels_first_2_0_count_7_value_3 when
-        ((slice0shift_search_2_4 / 4194304) mod 2) = 1 else slice0cost_pixels_first_2_0_count_7_value_3;
+      slice0cost_pixels_first_2_0_count_7_value_2 := ((slice0shift_reference_2 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
+        (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice0shift_search_0_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (((slice0shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice0shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice0shift_search_0_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (((slice0shift_search_0_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (((slice0shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice0shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice0shift_search_0_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (((slice0shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice0shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice0shift_search_0_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (((slice0shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice0shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice0shift_search_0_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (((slice0shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice0shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice0shift_search_0_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (((slice0shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_0 / 8388608) = 1) /=
+        ((slice0shift_search_0_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice0shift_search_0_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number((((slice0shift_search_0_1 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((((slice0shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((((slice0shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((((slice0shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((((slice0shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_1 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_2_count_0 <= as_number((((slice0shift_search_0_2 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((((slice0shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((((slice0shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((((slice0shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((((slice0shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_2 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_3_count_0 <= as_number((((slice0shift_search_0_3 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((((slice0shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((((slice0shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((((slice0shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((((slice0shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_3 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_0_4_count_0 <= as_number((((slice0shift_search_0_4 mod 2) = 1) /=
-        ((slice0shift_reference_0 mod 2) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_0_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_0_0_count_2_value)) + as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((((slice0shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((((slice0shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((((slice0shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice0shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((((slice0shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((((slice0shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice0shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((((slice0shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((((slice0shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice0shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((((slice0shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number((((slice0shift_search_0_4 / 8388608) = 1) /=
+        ((slice0shift_reference_0 / 8388608) = 1))) + as_number(((((slice0shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value_2));
       slice0cost_pixels_first_1_0_count_0 <= as_number((((slice0shift_search_1_0 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_0_choice_2);
-      slice0cost_pixels_first_1_0_count_1 <= as_number(slice0cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value /=
+        (((slice0shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice0shift_search_1_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_1 <= as_number((slice0cost_pixels_first_1_0_count_1_value /=
+        (((slice0shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice0shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice0shift_search_1_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_0_count_2_choice) + as_number(slice0cost_pixels_first_1_0_count_2_choice_2);
-      slice0cost_pixels_first_1_0_count_3 <= as_number(slice0cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_3_choice_3);
-      slice0cost_pixels_first_1_0_count_4 <= as_number(slice0cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_4_choice_3);
-      slice0cost_pixels_first_1_0_count_5 <= as_number(slice0cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_5_choice_3);
-      slice0cost_pixels_first_1_0_count_6 <= as_number(slice0cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_6_choice_3);
-      slice0cost_pixels_first_1_0_count_7 <= as_number(slice0cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_1_0_count_2_value /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_count_2_value_2 /= (((slice0shift_search_1_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_3 <= as_number((slice0cost_pixels_first_1_0_count_3_value /=
+        (((slice0shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice0shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice0shift_search_1_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_4 <= as_number((slice0cost_pixels_first_1_0_count_4_value /=
+        (((slice0shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice0shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice0shift_search_1_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_5 <= as_number((slice0cost_pixels_first_1_0_count_5_value /=
+        (((slice0shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice0shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice0shift_search_1_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_6 <= as_number((slice0cost_pixels_first_1_0_count_6_value /=
+        (((slice0shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice0shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice0shift_search_1_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_1_0_count_7 <= as_number((slice0cost_pixels_first_1_0_count_7_value /=
+        (((slice0shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_1 / 8388608) = 1) /=
+        ((slice0shift_search_1_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice0shift_search_1_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_1_1_count_0 <= as_number((((slice0shift_search_1_1 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_0_choice_2);
-      slice0cost_pixels_first_1_1_count_1 <= as_number(slice0cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_1_count_1 <= as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_1_count_2_choice) + as_number(slice0cost_pixels_first_1_1_count_2_choice_2);
-      slice0cost_pixels_first_1_1_count_3 <= as_number(slice0cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_3_choice_3);
-      slice0cost_pixels_first_1_1_count_4 <= as_number(slice0cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_4_choice_3);
-      slice0cost_pixels_first_1_1_count_5 <= as_number(slice0cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_5_choice_3);
-      slice0cost_pixels_first_1_1_count_6 <= as_number(slice0cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_6_choice_3);
-      slice0cost_pixels_first_1_1_count_7 <= as_number(slice0cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_1_count_3 <= as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_1_count_4 <= as_number(((((slice0shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_1_count_5 <= as_number(((((slice0shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_1_count_6 <= as_number(((((slice0shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_1_count_7 <= as_number(((((slice0shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_1 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_2_count_0 <= as_number((((slice0shift_search_1_2 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_0_choice_2);
-      slice0cost_pixels_first_1_2_count_1 <= as_number(slice0cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_2_count_1 <= as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_2_count_2_choice) + as_number(slice0cost_pixels_first_1_2_count_2_choice_2);
-      slice0cost_pixels_first_1_2_count_3 <= as_number(slice0cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_3_choice_3);
-      slice0cost_pixels_first_1_2_count_4 <= as_number(slice0cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_4_choice_3);
-      slice0cost_pixels_first_1_2_count_5 <= as_number(slice0cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_5_choice_3);
-      slice0cost_pixels_first_1_2_count_6 <= as_number(slice0cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_6_choice_3);
-      slice0cost_pixels_first_1_2_count_7 <= as_number(slice0cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_2_count_3 <= as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_2_count_4 <= as_number(((((slice0shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_2_count_5 <= as_number(((((slice0shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_2_count_6 <= as_number(((((slice0shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_2_count_7 <= as_number(((((slice0shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_2 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_3_count_0 <= as_number((((slice0shift_search_1_3 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_0_choice_2);
-      slice0cost_pixels_first_1_3_count_1 <= as_number(slice0cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_3_count_1 <= as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_3_count_2_choice) + as_number(slice0cost_pixels_first_1_3_count_2_choice_2);
-      slice0cost_pixels_first_1_3_count_3 <= as_number(slice0cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_3_choice_3);
-      slice0cost_pixels_first_1_3_count_4 <= as_number(slice0cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_4_choice_3);
-      slice0cost_pixels_first_1_3_count_5 <= as_number(slice0cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_5_choice_3);
-      slice0cost_pixels_first_1_3_count_6 <= as_number(slice0cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_6_choice_3);
-      slice0cost_pixels_first_1_3_count_7 <= as_number(slice0cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_3_count_3 <= as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_3_count_4 <= as_number(((((slice0shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_3_count_5 <= as_number(((((slice0shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_3_count_6 <= as_number(((((slice0shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_3_count_7 <= as_number(((((slice0shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_3 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_1_4_count_0 <= as_number((((slice0shift_search_1_4 mod 2) = 1) /=
-        ((slice0shift_reference_1 mod 2) = 1))) + as_number(slice0cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_0_choice_2);
-      slice0cost_pixels_first_1_4_count_1 <= as_number(slice0cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_1_choice_3);
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_0_value_2));
+      slice0cost_pixels_first_1_4_count_1 <= as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_1_value_3));
       slice0cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_1_4_count_2_choice) + as_number(slice0cost_pixels_first_1_4_count_2_choice_2);
-      slice0cost_pixels_first_1_4_count_3 <= as_number(slice0cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_3_choice_3);
-      slice0cost_pixels_first_1_4_count_4 <= as_number(slice0cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_4_choice_3);
-      slice0cost_pixels_first_1_4_count_5 <= as_number(slice0cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_5_choice_3);
-      slice0cost_pixels_first_1_4_count_6 <= as_number(slice0cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_6_choice_3);
-      slice0cost_pixels_first_1_4_count_7 <= as_number(slice0cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_1_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_1_0_count_2_value)) + as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_1_0_count_2_value_2));
+      slice0cost_pixels_first_1_4_count_3 <= as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value)) + as_number(((((slice0shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_3_value_3));
+      slice0cost_pixels_first_1_4_count_4 <= as_number(((((slice0shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value)) + as_number(((((slice0shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice0shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_4_value_3));
+      slice0cost_pixels_first_1_4_count_5 <= as_number(((((slice0shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value)) + as_number(((((slice0shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice0shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_5_value_3));
+      slice0cost_pixels_first_1_4_count_6 <= as_number(((((slice0shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value)) + as_number(((((slice0shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice0shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_6_value_3));
+      slice0cost_pixels_first_1_4_count_7 <= as_number(((((slice0shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value)) + as_number((((slice0shift_search_1_4 / 8388608) = 1) /=
+        ((slice0shift_reference_1 / 8388608) = 1))) + as_number(((((slice0shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_count_7_value_2));
       slice0cost_pixels_first_2_0_count_0 <= as_number((((slice0shift_search_2_0 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_0_choice_2);
-      slice0cost_pixels_first_2_0_count_1 <= as_number(slice0cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value /=
+        (((slice0shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice0shift_search_2_0 / 2) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_1 <= as_number((slice0cost_pixels_first_2_0_count_1_value /=
+        (((slice0shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice0shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice0shift_search_2_0 / 16) mod 2) = 1)));
       slice0cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_0_count_2_choice) + as_number(slice0cost_pixels_first_2_0_count_2_choice_2);
-      slice0cost_pixels_first_2_0_count_3 <= as_number(slice0cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_3_choice_3);
-      slice0cost_pixels_first_2_0_count_4 <= as_number(slice0cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_4_choice_3);
-      slice0cost_pixels_first_2_0_count_5 <= as_number(slice0cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_5_choice_3);
-      slice0cost_pixels_first_2_0_count_6 <= as_number(slice0cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_6_choice_3);
-      slice0cost_pixels_first_2_0_count_7 <= as_number(slice0cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice0cost_pixels_first_2_0_count_2_value /= (((slice0shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_2_0_count_2_value_2 /= (((slice0shift_search_2_0 / 64) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_3 <= as_number((slice0cost_pixels_first_2_0_count_3_value /=
+        (((slice0shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice0shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice0shift_search_2_0 / 1024) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_4 <= as_number((slice0cost_pixels_first_2_0_count_4_value /=
+        (((slice0shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice0shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice0shift_search_2_0 / 8192) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_5 <= as_number((slice0cost_pixels_first_2_0_count_5_value /=
+        (((slice0shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice0shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice0shift_search_2_0 / 65536) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_6 <= as_number((slice0cost_pixels_first_2_0_count_6_value /=
+        (((slice0shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice0shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice0cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice0shift_search_2_0 / 524288) mod 2) = 1)));
+      slice0cost_pixels_first_2_0_count_7 <= as_number((slice0cost_pixels_first_2_0_count_7_value /=
+        (((slice0shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice0shift_reference_2 / 8388608) = 1) /=
+        ((slice0shift_search_2_0 / 8388608) = 1))) + as_number((slice0cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice0shift_search_2_0 / 4194304) mod 2) = 1)));
       slice0cost_pixels_first_2_1_count_0 <= as_number((((slice0shift_search_2_1 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_0_choice_2);
-      slice0cost_pixels_first_2_1_count_1 <= as_number(slice0cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_1_count_1 <= as_number(((((slice0shift_search_2_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_1_count_2_choice) + as_number(slice0cost_pixels_first_2_1_count_2_choice_2);
-      slice0cost_pixels_first_2_1_count_3 <= as_number(slice0cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_3_choice_3);
-      slice0cost_pixels_first_2_1_count_4 <= as_number(slice0cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_4_choice_3);
-      slice0cost_pixels_first_2_1_count_5 <= as_number(slice0cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_5_choice_3);
-      slice0cost_pixels_first_2_1_count_6 <= as_number(slice0cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_6_choice_3);
-      slice0cost_pixels_first_2_1_count_7 <= as_number(slice0cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_1 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_1 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_1_count_3 <= as_number(((((slice0shift_search_2_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_1_count_4 <= as_number(((((slice0shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_1_count_5 <= as_number(((((slice0shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_1_count_6 <= as_number(((((slice0shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_1_count_7 <= as_number(((((slice0shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_1 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_2_count_0 <= as_number((((slice0shift_search_2_2 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_0_choice_2);
-      slice0cost_pixels_first_2_2_count_1 <= as_number(slice0cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_2_count_1 <= as_number(((((slice0shift_search_2_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_2_count_2_choice) + as_number(slice0cost_pixels_first_2_2_count_2_choice_2);
-      slice0cost_pixels_first_2_2_count_3 <= as_number(slice0cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_3_choice_3);
-      slice0cost_pixels_first_2_2_count_4 <= as_number(slice0cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_4_choice_3);
-      slice0cost_pixels_first_2_2_count_5 <= as_number(slice0cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_5_choice_3);
-      slice0cost_pixels_first_2_2_count_6 <= as_number(slice0cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_6_choice_3);
-      slice0cost_pixels_first_2_2_count_7 <= as_number(slice0cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_2 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_2 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_2_count_3 <= as_number(((((slice0shift_search_2_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_2_count_4 <= as_number(((((slice0shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_2_count_5 <= as_number(((((slice0shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_2_count_6 <= as_number(((((slice0shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_2_count_7 <= as_number(((((slice0shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_2 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_3_count_0 <= as_number((((slice0shift_search_2_3 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_0_choice_2);
-      slice0cost_pixels_first_2_3_count_1 <= as_number(slice0cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_3_count_1 <= as_number(((((slice0shift_search_2_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_3_count_2_choice) + as_number(slice0cost_pixels_first_2_3_count_2_choice_2);
-      slice0cost_pixels_first_2_3_count_3 <= as_number(slice0cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_3_choice_3);
-      slice0cost_pixels_first_2_3_count_4 <= as_number(slice0cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_4_choice_3);
-      slice0cost_pixels_first_2_3_count_5 <= as_number(slice0cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_5_choice_3);
-      slice0cost_pixels_first_2_3_count_6 <= as_number(slice0cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_6_choice_3);
-      slice0cost_pixels_first_2_3_count_7 <= as_number(slice0cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_3 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_3 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_3_count_3 <= as_number(((((slice0shift_search_2_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_3_count_4 <= as_number(((((slice0shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_3_count_5 <= as_number(((((slice0shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_3_count_6 <= as_number(((((slice0shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_3_count_7 <= as_number(((((slice0shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_3 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_2_4_count_0 <= as_number((((slice0shift_search_2_4 mod 2) = 1) /=
-        ((slice0shift_reference_2 mod 2) = 1))) + as_number(slice0cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_0_choice_2);
-      slice0cost_pixels_first_2_4_count_1 <= as_number(slice0cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_1_choice_3);
+        ((slice0shift_reference_2 mod 2) = 1))) + as_number(((((slice0shift_search_2_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value)) + as_number(((((slice0shift_search_2_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_0_value_2));
+      slice0cost_pixels_first_2_4_count_1 <= as_number(((((slice0shift_search_2_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value)) + as_number(((((slice0shift_search_2_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice0shift_search_2_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_1_value_3));
       slice0cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice0shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_2_4_count_2_choice) + as_number(slice0cost_pixels_first_2_4_count_2_choice_2);
-      slice0cost_pixels_first_2_4_count_3 <= as_number(slice0cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_3_choice_3);
-      slice0cost_pixels_first_2_4_count_4 <= as_number(slice0cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_4_choice_3);
-      slice0cost_pixels_first_2_4_count_5 <= as_number(slice0cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_5_choice_3);
-      slice0cost_pixels_first_2_4_count_6 <= as_number(slice0cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_6_choice_3);
-      slice0cost_pixels_first_2_4_count_7 <= as_number(slice0cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice0shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice0shift_search_2_4 / 256) mod
+        2) = 1) /= slice0cost_pixels_first_2_0_count_2_value)) + as_number(((((slice0shift_search_2_4 / 64) mod 2) = 1)
+        /= slice0cost_pixels_first_2_0_count_2_value_2));
+      slice0cost_pixels_first_2_4_count_3 <= as_number(((((slice0shift_search_2_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value)) + as_number(((((slice0shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice0shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_3_value_3));
+      slice0cost_pixels_first_2_4_count_4 <= as_number(((((slice0shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value)) + as_number(((((slice0shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice0shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_4_value_3));
+      slice0cost_pixels_first_2_4_count_5 <= as_number(((((slice0shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value)) + as_number(((((slice0shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice0shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_5_value_3));
+      slice0cost_pixels_first_2_4_count_6 <= as_number(((((slice0shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value)) + as_number(((((slice0shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice0shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_6_value_3));
+      slice0cost_pixels_first_2_4_count_7 <= as_number(((((slice0shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value)) + as_number((((slice0shift_search_2_4 / 8388608) = 1) /=
+        ((slice0shift_reference_2 / 8388608) = 1))) + as_number(((((slice0shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice0cost_pixels_first_2_0_count_7_value_2));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4251,23 +3154,40 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_0 +
-        slice0cost_pixels_cost_0_0 + slice0cost_pixels_cost_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_1 +
-        slice0cost_pixels_cost_0_1 + slice0cost_pixels_cost_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_2 +
-        slice0cost_pixels_cost_0_2 + slice0cost_pixels_cost_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_3 +
-        slice0cost_pixels_cost_0_3 + slice0cost_pixels_cost_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_2_4 +
-        slice0cost_pixels_cost_0_4 + slice0cost_pixels_cost_1_4;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_pair_0_0 <= slice0cost_pixels_cost_1_0 + slice0cost_pixels_cost_2_0;
+      slice0cost_pair_0_1 <= slice0cost_pixels_cost_1_1 + slice0cost_pixels_cost_2_1;
+      slice0cost_pair_0_2 <= slice0cost_pixels_cost_1_2 + slice0cost_pixels_cost_2_2;
+      slice0cost_pair_0_3 <= slice0cost_pixels_cost_1_3 + slice0cost_pixels_cost_2_3;
+      slice0cost_pair_0_4 <= slice0cost_pixels_cost_1_4 + slice0cost_pixels_cost_2_4;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
+        slice0cost_single_0_0;
+      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
+        slice0cost_single_0_1;
+      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
+        slice0cost_single_0_2;
+      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
+        slice0cost_single_0_3;
+      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
+        slice0cost_single_0_4;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4357,1151 +3277,548 @@ begin
       slice1shift_search_out_2 <= slice1shift_search_2_4;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := ((slice1shift_reference_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_search_0_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := ((slice1shift_reference_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := ((slice1shift_search_0_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := ((slice1shift_reference_0 / 2) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_1_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_search_0_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := ((slice1shift_search_0_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := ((slice1shift_reference_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := ((slice1shift_search_0_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_2_value := ((slice1shift_reference_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_search_0_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := ((slice1shift_reference_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := ((slice1shift_search_0_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := ((slice1shift_reference_0 / 64) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_3_value := ((slice1shift_reference_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_search_0_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := ((slice1shift_search_0_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := ((slice1shift_search_0_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := ((slice1shift_reference_0 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_4_value := ((slice1shift_reference_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_search_0_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := ((slice1shift_search_0_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := ((slice1shift_search_0_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := ((slice1shift_reference_0 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := ((slice1shift_reference_0 / 8192) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_5_value := ((slice1shift_reference_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_search_0_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := ((slice1shift_search_0_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := ((slice1shift_search_0_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := ((slice1shift_reference_0 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := ((slice1shift_reference_0 / 65536) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_6_value := ((slice1shift_reference_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_search_0_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := ((slice1shift_search_0_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := ((slice1shift_search_0_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := ((slice1shift_reference_0 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := ((slice1shift_reference_0 / 524288) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_7_value := ((slice1shift_reference_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_search_0_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not ((slice1shift_search_0_0 / 8388608) = 1) when
-        (slice1shift_reference_0 / 8388608) = 1 else (slice1shift_search_0_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_3 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := ((slice1shift_search_0_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_1 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_1 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_1 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_1 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_1 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_1 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_1 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_1 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_1 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_2 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_2 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_2 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_2 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_2 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_2 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_2 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_2 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_2 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_3 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_3 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_3 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_3 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_3 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_3 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_3 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_3 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_3 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        ((slice1shift_search_0_4 / 4) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        ((slice1shift_search_0_4 / 2) mod 2) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        ((slice1shift_search_0_4 / 8) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        ((slice1shift_search_0_4 / 32) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        ((slice1shift_search_0_4 / 16) mod 2) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        ((slice1shift_search_0_4 / 256) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        ((slice1shift_search_0_4 / 64) mod 2) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        ((slice1shift_search_0_4 / 512) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        ((slice1shift_search_0_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        ((slice1shift_search_0_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        ((slice1shift_search_0_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        ((slice1shift_search_0_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        ((slice1shift_search_0_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        ((slice1shift_search_0_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        ((slice1shift_search_0_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        ((slice1shift_search_0_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        ((slice1shift_search_0_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        ((slice1shift_search_0_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        ((slice1shift_search_0_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        ((slice1shift_search_0_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not ((slice1shift_reference_0 / 8388608) = 1) when
-        (slice1shift_search_0_4 / 8388608) = 1 else (slice1shift_reference_0 / 8388608) = 1;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        ((slice1shift_search_0_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
+      slice1cost_pixels_first_0_0_count_7_value_2 := ((slice1shift_reference_0 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_0_value := ((slice1shift_reference_1 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_search_1_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value_2 when
-        slice1cost_pixels_first_1_0_count_0_value else slice1cost_pixels_first_1_0_count_0_value_2;
-      slice1cost_pixels_first_1_0_count_0_value_3 := ((slice1shift_reference_1 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_value_4 := ((slice1shift_search_1_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_4 when
-        slice1cost_pixels_first_1_0_count_0_value_3 else slice1cost_pixels_first_1_0_count_0_value_4;
+      slice1cost_pixels_first_1_0_count_0_value_2 := ((slice1shift_reference_1 / 2) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_1_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_search_1_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value_2 when
-        slice1cost_pixels_first_1_0_count_1_value else slice1cost_pixels_first_1_0_count_1_value_2;
-      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_4 := ((slice1shift_search_1_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_4 when
-        slice1cost_pixels_first_1_0_count_1_value_3 else slice1cost_pixels_first_1_0_count_1_value_4;
-      slice1cost_pixels_first_1_0_count_1_value_5 := ((slice1shift_reference_1 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_value_6 := ((slice1shift_search_1_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_6 when
-        slice1cost_pixels_first_1_0_count_1_value_5 else slice1cost_pixels_first_1_0_count_1_value_6;
+      slice1cost_pixels_first_1_0_count_1_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_1_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_2_value := ((slice1shift_reference_1 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_search_1_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value_2 when
-        slice1cost_pixels_first_1_0_count_2_value else slice1cost_pixels_first_1_0_count_2_value_2;
-      slice1cost_pixels_first_1_0_count_2_value_3 := ((slice1shift_reference_1 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_value_4 := ((slice1shift_search_1_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_4 when
-        slice1cost_pixels_first_1_0_count_2_value_3 else slice1cost_pixels_first_1_0_count_2_value_4;
+      slice1cost_pixels_first_1_0_count_2_value_2 := ((slice1shift_reference_1 / 64) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_3_value := ((slice1shift_reference_1 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_search_1_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value_2 when
-        slice1cost_pixels_first_1_0_count_3_value else slice1cost_pixels_first_1_0_count_3_value_2;
-      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_4 := ((slice1shift_search_1_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_4 when
-        slice1cost_pixels_first_1_0_count_3_value_3 else slice1cost_pixels_first_1_0_count_3_value_4;
-      slice1cost_pixels_first_1_0_count_3_value_5 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_value_6 := ((slice1shift_search_1_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_6 when
-        slice1cost_pixels_first_1_0_count_3_value_5 else slice1cost_pixels_first_1_0_count_3_value_6;
+      slice1cost_pixels_first_1_0_count_3_value_2 := ((slice1shift_reference_1 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_3_value_3 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_4_value := ((slice1shift_reference_1 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_search_1_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value_2 when
-        slice1cost_pixels_first_1_0_count_4_value else slice1cost_pixels_first_1_0_count_4_value_2;
-      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_4 := ((slice1shift_search_1_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_4 when
-        slice1cost_pixels_first_1_0_count_4_value_3 else slice1cost_pixels_first_1_0_count_4_value_4;
-      slice1cost_pixels_first_1_0_count_4_value_5 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_value_6 := ((slice1shift_search_1_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_6 when
-        slice1cost_pixels_first_1_0_count_4_value_5 else slice1cost_pixels_first_1_0_count_4_value_6;
+      slice1cost_pixels_first_1_0_count_4_value_2 := ((slice1shift_reference_1 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_4_value_3 := ((slice1shift_reference_1 / 8192) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_5_value := ((slice1shift_reference_1 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_search_1_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value_2 when
-        slice1cost_pixels_first_1_0_count_5_value else slice1cost_pixels_first_1_0_count_5_value_2;
-      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_4 := ((slice1shift_search_1_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_4 when
-        slice1cost_pixels_first_1_0_count_5_value_3 else slice1cost_pixels_first_1_0_count_5_value_4;
-      slice1cost_pixels_first_1_0_count_5_value_5 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_value_6 := ((slice1shift_search_1_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_6 when
-        slice1cost_pixels_first_1_0_count_5_value_5 else slice1cost_pixels_first_1_0_count_5_value_6;
+      slice1cost_pixels_first_1_0_count_5_value_2 := ((slice1shift_reference_1 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_5_value_3 := ((slice1shift_reference_1 / 65536) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_6_value := ((slice1shift_reference_1 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_search_1_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value_2 when
-        slice1cost_pixels_first_1_0_count_6_value else slice1cost_pixels_first_1_0_count_6_value_2;
-      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_4 := ((slice1shift_search_1_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_4 when
-        slice1cost_pixels_first_1_0_count_6_value_3 else slice1cost_pixels_first_1_0_count_6_value_4;
-      slice1cost_pixels_first_1_0_count_6_value_5 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_value_6 := ((slice1shift_search_1_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_6 when
-        slice1cost_pixels_first_1_0_count_6_value_5 else slice1cost_pixels_first_1_0_count_6_value_6;
+      slice1cost_pixels_first_1_0_count_6_value_2 := ((slice1shift_reference_1 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_1_0_count_6_value_3 := ((slice1shift_reference_1 / 524288) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value := ((slice1shift_reference_1 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_search_1_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value_2 when
-        slice1cost_pixels_first_1_0_count_7_value else slice1cost_pixels_first_1_0_count_7_value_2;
-      slice1cost_pixels_first_1_0_count_7_choice_2 := not ((slice1shift_search_1_0 / 8388608) = 1) when
-        (slice1shift_reference_1 / 8388608) = 1 else (slice1shift_search_1_0 / 8388608) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_value_4 := ((slice1shift_search_1_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_1_0_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_4 when
-        slice1cost_pixels_first_1_0_count_7_value_3 else slice1cost_pixels_first_1_0_count_7_value_4;
-      slice1cost_pixels_first_1_1_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_1 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_1_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_1 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_1 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_1_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_1 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_1_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_1 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_1_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_1 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_1_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_1 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_1 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_1_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_1_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_1_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_1_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_1_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_1_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_1_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_1_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_1_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_1_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_1_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_1_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_1_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_1 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_1_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_2_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_2 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_2_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_2 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_2 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_2_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_2 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_2_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_2 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_2_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_2 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_2_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_2 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_2 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_2_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_2_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_2_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_2_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_2_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_2_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_2_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_2_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_2_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_2_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_2_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_2_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_2_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_2 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_2_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_3_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_3 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_3_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_3 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_3 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_3_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_3 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_3_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_3 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_3_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_3 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_3_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_3 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_3 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_3_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_3_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_3_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_3_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_3_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_3_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_3_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_3_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_3_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_3_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_3_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_3_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_3_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_3 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_3_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
-      slice1cost_pixels_first_1_4_count_0_choice := not slice1cost_pixels_first_1_0_count_0_value when
-        ((slice1shift_search_1_4 / 4) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value;
-      slice1cost_pixels_first_1_4_count_0_choice_2 := not slice1cost_pixels_first_1_0_count_0_value_3 when
-        ((slice1shift_search_1_4 / 2) mod 2) = 1 else slice1cost_pixels_first_1_0_count_0_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice := not slice1cost_pixels_first_1_0_count_1_value when
-        ((slice1shift_search_1_4 / 8) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value;
-      slice1cost_pixels_first_1_4_count_1_choice_2 := not slice1cost_pixels_first_1_0_count_1_value_3 when
-        ((slice1shift_search_1_4 / 32) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_3;
-      slice1cost_pixels_first_1_4_count_1_choice_3 := not slice1cost_pixels_first_1_0_count_1_value_5 when
-        ((slice1shift_search_1_4 / 16) mod 2) = 1 else slice1cost_pixels_first_1_0_count_1_value_5;
-      slice1cost_pixels_first_1_4_count_2_choice := not slice1cost_pixels_first_1_0_count_2_value when
-        ((slice1shift_search_1_4 / 256) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value;
-      slice1cost_pixels_first_1_4_count_2_choice_2 := not slice1cost_pixels_first_1_0_count_2_value_3 when
-        ((slice1shift_search_1_4 / 64) mod 2) = 1 else slice1cost_pixels_first_1_0_count_2_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice := not slice1cost_pixels_first_1_0_count_3_value when
-        ((slice1shift_search_1_4 / 512) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value;
-      slice1cost_pixels_first_1_4_count_3_choice_2 := not slice1cost_pixels_first_1_0_count_3_value_3 when
-        ((slice1shift_search_1_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_3;
-      slice1cost_pixels_first_1_4_count_3_choice_3 := not slice1cost_pixels_first_1_0_count_3_value_5 when
-        ((slice1shift_search_1_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_1_0_count_3_value_5;
-      slice1cost_pixels_first_1_4_count_4_choice := not slice1cost_pixels_first_1_0_count_4_value when
-        ((slice1shift_search_1_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value;
-      slice1cost_pixels_first_1_4_count_4_choice_2 := not slice1cost_pixels_first_1_0_count_4_value_3 when
-        ((slice1shift_search_1_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_3;
-      slice1cost_pixels_first_1_4_count_4_choice_3 := not slice1cost_pixels_first_1_0_count_4_value_5 when
-        ((slice1shift_search_1_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_1_0_count_4_value_5;
-      slice1cost_pixels_first_1_4_count_5_choice := not slice1cost_pixels_first_1_0_count_5_value when
-        ((slice1shift_search_1_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value;
-      slice1cost_pixels_first_1_4_count_5_choice_2 := not slice1cost_pixels_first_1_0_count_5_value_3 when
-        ((slice1shift_search_1_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_3;
-      slice1cost_pixels_first_1_4_count_5_choice_3 := not slice1cost_pixels_first_1_0_count_5_value_5 when
-        ((slice1shift_search_1_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_1_0_count_5_value_5;
-      slice1cost_pixels_first_1_4_count_6_choice := not slice1cost_pixels_first_1_0_count_6_value when
-        ((slice1shift_search_1_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value;
-      slice1cost_pixels_first_1_4_count_6_choice_2 := not slice1cost_pixels_first_1_0_count_6_value_3 when
-        ((slice1shift_search_1_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_3;
-      slice1cost_pixels_first_1_4_count_6_choice_3 := not slice1cost_pixels_first_1_0_count_6_value_5 when
-        ((slice1shift_search_1_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_1_0_count_6_value_5;
-      slice1cost_pixels_first_1_4_count_7_choice := not slice1cost_pixels_first_1_0_count_7_value when
-        ((slice1shift_search_1_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value;
-      slice1cost_pixels_first_1_4_count_7_choice_2 := not ((slice1shift_reference_1 / 8388608) = 1) when
-        (slice1shift_search_1_4 / 8388608) = 1 else (slice1shift_reference_1 / 8388608) = 1;
-      slice1cost_pixels_first_1_4_count_7_choice_3 := not slice1cost_pixels_first_1_0_count_7_value_3 when
-        ((slice1shift_search_1_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_1_0_count_7_value_3;
+      slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_0_value := ((slice1shift_reference_2 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_search_2_0 / 4) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value_2 when
-        slice1cost_pixels_first_2_0_count_0_value else slice1cost_pixels_first_2_0_count_0_value_2;
-      slice1cost_pixels_first_2_0_count_0_value_3 := ((slice1shift_reference_2 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_value_4 := ((slice1shift_search_2_0 / 2) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_4 when
-        slice1cost_pixels_first_2_0_count_0_value_3 else slice1cost_pixels_first_2_0_count_0_value_4;
+      slice1cost_pixels_first_2_0_count_0_value_2 := ((slice1shift_reference_2 / 2) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_1_value := ((slice1shift_reference_2 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_search_2_0 / 8) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value_2 when
-        slice1cost_pixels_first_2_0_count_1_value else slice1cost_pixels_first_2_0_count_1_value_2;
-      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_4 := ((slice1shift_search_2_0 / 32) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_4 when
-        slice1cost_pixels_first_2_0_count_1_value_3 else slice1cost_pixels_first_2_0_count_1_value_4;
-      slice1cost_pixels_first_2_0_count_1_value_5 := ((slice1shift_reference_2 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_value_6 := ((slice1shift_search_2_0 / 16) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_6 when
-        slice1cost_pixels_first_2_0_count_1_value_5 else slice1cost_pixels_first_2_0_count_1_value_6;
+      slice1cost_pixels_first_2_0_count_1_value_2 := ((slice1shift_reference_2 / 32) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_1_value_3 := ((slice1shift_reference_2 / 16) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_2_value := ((slice1shift_reference_2 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_search_2_0 / 256) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value_2 when
-        slice1cost_pixels_first_2_0_count_2_value else slice1cost_pixels_first_2_0_count_2_value_2;
-      slice1cost_pixels_first_2_0_count_2_value_3 := ((slice1shift_reference_2 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_value_4 := ((slice1shift_search_2_0 / 64) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_4 when
-        slice1cost_pixels_first_2_0_count_2_value_3 else slice1cost_pixels_first_2_0_count_2_value_4;
+      slice1cost_pixels_first_2_0_count_2_value_2 := ((slice1shift_reference_2 / 64) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_3_value := ((slice1shift_reference_2 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_search_2_0 / 512) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value_2 when
-        slice1cost_pixels_first_2_0_count_3_value else slice1cost_pixels_first_2_0_count_3_value_2;
-      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_4 := ((slice1shift_search_2_0 / 2048) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_4 when
-        slice1cost_pixels_first_2_0_count_3_value_3 else slice1cost_pixels_first_2_0_count_3_value_4;
-      slice1cost_pixels_first_2_0_count_3_value_5 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_value_6 := ((slice1shift_search_2_0 / 1024) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_6 when
-        slice1cost_pixels_first_2_0_count_3_value_5 else slice1cost_pixels_first_2_0_count_3_value_6;
+      slice1cost_pixels_first_2_0_count_3_value_2 := ((slice1shift_reference_2 / 2048) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_3_value_3 := ((slice1shift_reference_2 / 1024) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_4_value := ((slice1shift_reference_2 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_search_2_0 / 4096) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value_2 when
-        slice1cost_pixels_first_2_0_count_4_value else slice1cost_pixels_first_2_0_count_4_value_2;
-      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_4 := ((slice1shift_search_2_0 / 16384) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_4 when
-        slice1cost_pixels_first_2_0_count_4_value_3 else slice1cost_pixels_first_2_0_count_4_value_4;
-      slice1cost_pixels_first_2_0_count_4_value_5 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_value_6 := ((slice1shift_search_2_0 / 8192) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_6 when
-        slice1cost_pixels_first_2_0_count_4_value_5 else slice1cost_pixels_first_2_0_count_4_value_6;
+      slice1cost_pixels_first_2_0_count_4_value_2 := ((slice1shift_reference_2 / 16384) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_4_value_3 := ((slice1shift_reference_2 / 8192) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_5_value := ((slice1shift_reference_2 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_search_2_0 / 32768) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value_2 when
-        slice1cost_pixels_first_2_0_count_5_value else slice1cost_pixels_first_2_0_count_5_value_2;
-      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_4 := ((slice1shift_search_2_0 / 131072) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_4 when
-        slice1cost_pixels_first_2_0_count_5_value_3 else slice1cost_pixels_first_2_0_count_5_value_4;
-      slice1cost_pixels_first_2_0_count_5_value_5 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_value_6 := ((slice1shift_search_2_0 / 65536) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_6 when
-        slice1cost_pixels_first_2_0_count_5_value_5 else slice1cost_pixels_first_2_0_count_5_value_6;
+      slice1cost_pixels_first_2_0_count_5_value_2 := ((slice1shift_reference_2 / 131072) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_5_value_3 := ((slice1shift_reference_2 / 65536) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_6_value := ((slice1shift_reference_2 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_search_2_0 / 262144) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value_2 when
-        slice1cost_pixels_first_2_0_count_6_value else slice1cost_pixels_first_2_0_count_6_value_2;
-      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_4 := ((slice1shift_search_2_0 / 1048576) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_4 when
-        slice1cost_pixels_first_2_0_count_6_value_3 else slice1cost_pixels_first_2_0_count_6_value_4;
-      slice1cost_pixels_first_2_0_count_6_value_5 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_value_6 := ((slice1shift_search_2_0 / 524288) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_6 when
-        slice1cost_pixels_first_2_0_count_6_value_5 else slice1cost_pixels_first_2_0_count_6_value_6;
+      slice1cost_pixels_first_2_0_count_6_value_2 := ((slice1shift_reference_2 / 1048576) mod 2) = 1;
+      slice1cost_pixels_first_2_0_count_6_value_3 := ((slice1shift_reference_2 / 524288) mod 2) = 1;
       slice1cost_pixels_first_2_0_count_7_value := ((slice1shift_reference_2 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_search_2_0 / 2097152) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value_2 when
-        slice1cost_pixels_first_2_0_count_7_value else slice1cost_pixels_first_2_0_count_7_value_2;
-      slice1cost_pixels_first_2_0_count_7_choice_2 := not ((slice1shift_search_2_0 / 8388608) = 1) when
-        (slice1shift_reference_2 / 8388608) = 1 else (slice1shift_search_2_0 / 8388608) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_3 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_value_4 := ((slice1shift_search_2_0 / 4194304) mod 2) = 1;
-      slice1cost_pixels_first_2_0_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_4 when
-        slice1cost_pixels_first_2_0_count_7_value_3 else slice1cost_pixels_first_2_0_count_7_value_4;
-      slice1cost_pixels_first_2_1_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_1 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_1_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_1 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_1 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_1_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_1 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_1_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_1 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_1_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_1 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_1_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_1 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_1 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_1_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_1 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_1_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_1 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_1_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_1 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_1_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_1 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_1_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_1 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_1_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_1 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_1_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_1 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_1_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_1 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_1_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_1 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_1_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_1 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_1_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_1 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_1_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_1 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_1_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_1 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_1_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_1 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_2_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_2 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_2_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_2 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_2 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_2_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_2 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_2_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_2 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_2_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_2 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_2_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_2 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_2 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_2_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_2 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_2_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_2 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_2_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_2 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_2_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_2 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_2_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_2 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_2_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_2 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_2_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_2 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_2_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_2 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_2_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_2 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_2_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_2 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_2_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_2 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_2_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_2 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_2_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_2 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_2_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_2 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_3_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_3 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_3_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_3 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_3 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_3_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_3 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_3_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_3 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_3_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_3 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_3_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_3 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_3 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_3_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_3 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_3_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_3 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_3_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_3 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_3_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_3 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_3_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_3 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_3_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_3 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_3_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_3 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_3_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_3 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_3_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_3 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_3_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_3 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_3_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_3 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_3_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_3 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_3_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_3 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_3_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_3 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
-      slice1cost_pixels_first_2_4_count_0_choice := not slice1cost_pixels_first_2_0_count_0_value when
-        ((slice1shift_search_2_4 / 4) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value;
-      slice1cost_pixels_first_2_4_count_0_choice_2 := not slice1cost_pixels_first_2_0_count_0_value_3 when
-        ((slice1shift_search_2_4 / 2) mod 2) = 1 else slice1cost_pixels_first_2_0_count_0_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice := not slice1cost_pixels_first_2_0_count_1_value when
-        ((slice1shift_search_2_4 / 8) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value;
-      slice1cost_pixels_first_2_4_count_1_choice_2 := not slice1cost_pixels_first_2_0_count_1_value_3 when
-        ((slice1shift_search_2_4 / 32) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_3;
-      slice1cost_pixels_first_2_4_count_1_choice_3 := not slice1cost_pixels_first_2_0_count_1_value_5 when
-        ((slice1shift_search_2_4 / 16) mod 2) = 1 else slice1cost_pixels_first_2_0_count_1_value_5;
-      slice1cost_pixels_first_2_4_count_2_choice := not slice1cost_pixels_first_2_0_count_2_value when
-        ((slice1shift_search_2_4 / 256) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value;
-      slice1cost_pixels_first_2_4_count_2_choice_2 := not slice1cost_pixels_first_2_0_count_2_value_3 when
-        ((slice1shift_search_2_4 / 64) mod 2) = 1 else slice1cost_pixels_first_2_0_count_2_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice := not slice1cost_pixels_first_2_0_count_3_value when
-        ((slice1shift_search_2_4 / 512) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value;
-      slice1cost_pixels_first_2_4_count_3_choice_2 := not slice1cost_pixels_first_2_0_count_3_value_3 when
-        ((slice1shift_search_2_4 / 2048) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_3;
-      slice1cost_pixels_first_2_4_count_3_choice_3 := not slice1cost_pixels_first_2_0_count_3_value_5 when
-        ((slice1shift_search_2_4 / 1024) mod 2) = 1 else slice1cost_pixels_first_2_0_count_3_value_5;
-      slice1cost_pixels_first_2_4_count_4_choice := not slice1cost_pixels_first_2_0_count_4_value when
-        ((slice1shift_search_2_4 / 4096) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value;
-      slice1cost_pixels_first_2_4_count_4_choice_2 := not slice1cost_pixels_first_2_0_count_4_value_3 when
-        ((slice1shift_search_2_4 / 16384) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_3;
-      slice1cost_pixels_first_2_4_count_4_choice_3 := not slice1cost_pixels_first_2_0_count_4_value_5 when
-        ((slice1shift_search_2_4 / 8192) mod 2) = 1 else slice1cost_pixels_first_2_0_count_4_value_5;
-      slice1cost_pixels_first_2_4_count_5_choice := not slice1cost_pixels_first_2_0_count_5_value when
-        ((slice1shift_search_2_4 / 32768) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value;
-      slice1cost_pixels_first_2_4_count_5_choice_2 := not slice1cost_pixels_first_2_0_count_5_value_3 when
-        ((slice1shift_search_2_4 / 131072) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_3;
-      slice1cost_pixels_first_2_4_count_5_choice_3 := not slice1cost_pixels_first_2_0_count_5_value_5 when
-        ((slice1shift_search_2_4 / 65536) mod 2) = 1 else slice1cost_pixels_first_2_0_count_5_value_5;
-      slice1cost_pixels_first_2_4_count_6_choice := not slice1cost_pixels_first_2_0_count_6_value when
-        ((slice1shift_search_2_4 / 262144) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value;
-      slice1cost_pixels_first_2_4_count_6_choice_2 := not slice1cost_pixels_first_2_0_count_6_value_3 when
-        ((slice1shift_search_2_4 / 1048576) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_3;
-      slice1cost_pixels_first_2_4_count_6_choice_3 := not slice1cost_pixels_first_2_0_count_6_value_5 when
-        ((slice1shift_search_2_4 / 524288) mod 2) = 1 else slice1cost_pixels_first_2_0_count_6_value_5;
-      slice1cost_pixels_first_2_4_count_7_choice := not slice1cost_pixels_first_2_0_count_7_value when
-        ((slice1shift_search_2_4 / 2097152) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value;
-      slice1cost_pixels_first_2_4_count_7_choice_2 := not ((slice1shift_reference_2 / 8388608) = 1) when
-        (slice1shift_search_2_4 / 8388608) = 1 else (slice1shift_reference_2 / 8388608) = 1;
-      slice1cost_pixels_first_2_4_count_7_choice_3 := not slice1cost_pixels_first_2_0_count_7_value_3 when
-        ((slice1shift_search_2_4 / 4194304) mod 2) = 1 else slice1cost_pixels_first_2_0_count_7_value_3;
+      slice1cost_pixels_first_2_0_count_7_value_2 := ((slice1shift_reference_2 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
+        (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice1shift_search_0_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (((slice1shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice1shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice1shift_search_0_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (((slice1shift_search_0_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (((slice1shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice1shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice1shift_search_0_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (((slice1shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice1shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice1shift_search_0_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (((slice1shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice1shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice1shift_search_0_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (((slice1shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice1shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice1shift_search_0_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (((slice1shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_0 / 8388608) = 1) /=
+        ((slice1shift_search_0_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice1shift_search_0_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number((((slice1shift_search_0_1 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((((slice1shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((((slice1shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((((slice1shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((((slice1shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_1 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_2_count_0 <= as_number((((slice1shift_search_0_2 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((((slice1shift_search_0_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((((slice1shift_search_0_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((((slice1shift_search_0_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((((slice1shift_search_0_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_2 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_3_count_0 <= as_number((((slice1shift_search_0_3 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((((slice1shift_search_0_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((((slice1shift_search_0_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((((slice1shift_search_0_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((((slice1shift_search_0_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_3 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_0_4_count_0 <= as_number((((slice1shift_search_0_4 mod 2) = 1) /=
-        ((slice1shift_reference_0 mod 2) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_0_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_0_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_0_0_count_2_value)) + as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((((slice1shift_search_0_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((((slice1shift_search_0_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((((slice1shift_search_0_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice1shift_search_0_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((((slice1shift_search_0_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((((slice1shift_search_0_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice1shift_search_0_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((((slice1shift_search_0_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((((slice1shift_search_0_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice1shift_search_0_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((((slice1shift_search_0_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number((((slice1shift_search_0_4 / 8388608) = 1) /=
+        ((slice1shift_reference_0 / 8388608) = 1))) + as_number(((((slice1shift_search_0_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value_2));
       slice1cost_pixels_first_1_0_count_0 <= as_number((((slice1shift_search_1_0 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_0_choice_2);
-      slice1cost_pixels_first_1_0_count_1 <= as_number(slice1cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value /=
+        (((slice1shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice1shift_search_1_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_1 <= as_number((slice1cost_pixels_first_1_0_count_1_value /=
+        (((slice1shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice1shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice1shift_search_1_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_0_count_2_choice) + as_number(slice1cost_pixels_first_1_0_count_2_choice_2);
-      slice1cost_pixels_first_1_0_count_3 <= as_number(slice1cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_3_choice_3);
-      slice1cost_pixels_first_1_0_count_4 <= as_number(slice1cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_4_choice_3);
-      slice1cost_pixels_first_1_0_count_5 <= as_number(slice1cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_5_choice_3);
-      slice1cost_pixels_first_1_0_count_6 <= as_number(slice1cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_6_choice_3);
-      slice1cost_pixels_first_1_0_count_7 <= as_number(slice1cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_1_0_count_2_value /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_count_2_value_2 /= (((slice1shift_search_1_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_3 <= as_number((slice1cost_pixels_first_1_0_count_3_value /=
+        (((slice1shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice1shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice1shift_search_1_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_4 <= as_number((slice1cost_pixels_first_1_0_count_4_value /=
+        (((slice1shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice1shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice1shift_search_1_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_5 <= as_number((slice1cost_pixels_first_1_0_count_5_value /=
+        (((slice1shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice1shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice1shift_search_1_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_6 <= as_number((slice1cost_pixels_first_1_0_count_6_value /=
+        (((slice1shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice1shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice1shift_search_1_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_1_0_count_7 <= as_number((slice1cost_pixels_first_1_0_count_7_value /=
+        (((slice1shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_1 / 8388608) = 1) /=
+        ((slice1shift_search_1_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice1shift_search_1_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_1_1_count_0 <= as_number((((slice1shift_search_1_1 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_0_choice_2);
-      slice1cost_pixels_first_1_1_count_1 <= as_number(slice1cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_1_count_1 <= as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_1_count_2_choice) + as_number(slice1cost_pixels_first_1_1_count_2_choice_2);
-      slice1cost_pixels_first_1_1_count_3 <= as_number(slice1cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_3_choice_3);
-      slice1cost_pixels_first_1_1_count_4 <= as_number(slice1cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_4_choice_3);
-      slice1cost_pixels_first_1_1_count_5 <= as_number(slice1cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_5_choice_3);
-      slice1cost_pixels_first_1_1_count_6 <= as_number(slice1cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_6_choice_3);
-      slice1cost_pixels_first_1_1_count_7 <= as_number(slice1cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_1_count_3 <= as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_1_count_4 <= as_number(((((slice1shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_1_count_5 <= as_number(((((slice1shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_1_count_6 <= as_number(((((slice1shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_1_count_7 <= as_number(((((slice1shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_1 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_2_count_0 <= as_number((((slice1shift_search_1_2 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_0_choice_2);
-      slice1cost_pixels_first_1_2_count_1 <= as_number(slice1cost_pixels_first_1_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_2_count_1 <= as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_2_count_2_choice) + as_number(slice1cost_pixels_first_1_2_count_2_choice_2);
-      slice1cost_pixels_first_1_2_count_3 <= as_number(slice1cost_pixels_first_1_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_3_choice_3);
-      slice1cost_pixels_first_1_2_count_4 <= as_number(slice1cost_pixels_first_1_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_4_choice_3);
-      slice1cost_pixels_first_1_2_count_5 <= as_number(slice1cost_pixels_first_1_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_5_choice_3);
-      slice1cost_pixels_first_1_2_count_6 <= as_number(slice1cost_pixels_first_1_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_6_choice_3);
-      slice1cost_pixels_first_1_2_count_7 <= as_number(slice1cost_pixels_first_1_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_2_count_3 <= as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_2_count_4 <= as_number(((((slice1shift_search_1_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_2_count_5 <= as_number(((((slice1shift_search_1_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_2_count_6 <= as_number(((((slice1shift_search_1_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_2_count_7 <= as_number(((((slice1shift_search_1_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_2 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_3_count_0 <= as_number((((slice1shift_search_1_3 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_0_choice_2);
-      slice1cost_pixels_first_1_3_count_1 <= as_number(slice1cost_pixels_first_1_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_3_count_1 <= as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_3_count_2_choice) + as_number(slice1cost_pixels_first_1_3_count_2_choice_2);
-      slice1cost_pixels_first_1_3_count_3 <= as_number(slice1cost_pixels_first_1_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_3_choice_3);
-      slice1cost_pixels_first_1_3_count_4 <= as_number(slice1cost_pixels_first_1_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_4_choice_3);
-      slice1cost_pixels_first_1_3_count_5 <= as_number(slice1cost_pixels_first_1_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_5_choice_3);
-      slice1cost_pixels_first_1_3_count_6 <= as_number(slice1cost_pixels_first_1_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_6_choice_3);
-      slice1cost_pixels_first_1_3_count_7 <= as_number(slice1cost_pixels_first_1_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_3_count_3 <= as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_3_count_4 <= as_number(((((slice1shift_search_1_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_3_count_5 <= as_number(((((slice1shift_search_1_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_3_count_6 <= as_number(((((slice1shift_search_1_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_3_count_7 <= as_number(((((slice1shift_search_1_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_3 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_1_4_count_0 <= as_number((((slice1shift_search_1_4 mod 2) = 1) /=
-        ((slice1shift_reference_1 mod 2) = 1))) + as_number(slice1cost_pixels_first_1_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_0_choice_2);
-      slice1cost_pixels_first_1_4_count_1 <= as_number(slice1cost_pixels_first_1_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_1_choice_3);
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_0_value_2));
+      slice1cost_pixels_first_1_4_count_1 <= as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_1_value_3));
       slice1cost_pixels_first_1_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_1_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_1_4_count_2_choice) + as_number(slice1cost_pixels_first_1_4_count_2_choice_2);
-      slice1cost_pixels_first_1_4_count_3 <= as_number(slice1cost_pixels_first_1_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_3_choice_3);
-      slice1cost_pixels_first_1_4_count_4 <= as_number(slice1cost_pixels_first_1_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_4_choice_3);
-      slice1cost_pixels_first_1_4_count_5 <= as_number(slice1cost_pixels_first_1_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_5_choice_3);
-      slice1cost_pixels_first_1_4_count_6 <= as_number(slice1cost_pixels_first_1_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_6_choice_3);
-      slice1cost_pixels_first_1_4_count_7 <= as_number(slice1cost_pixels_first_1_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_1_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_1_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_1_0_count_2_value)) + as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_1_0_count_2_value_2));
+      slice1cost_pixels_first_1_4_count_3 <= as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value)) + as_number(((((slice1shift_search_1_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_3_value_3));
+      slice1cost_pixels_first_1_4_count_4 <= as_number(((((slice1shift_search_1_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value)) + as_number(((((slice1shift_search_1_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice1shift_search_1_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_4_value_3));
+      slice1cost_pixels_first_1_4_count_5 <= as_number(((((slice1shift_search_1_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value)) + as_number(((((slice1shift_search_1_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice1shift_search_1_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_5_value_3));
+      slice1cost_pixels_first_1_4_count_6 <= as_number(((((slice1shift_search_1_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value)) + as_number(((((slice1shift_search_1_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice1shift_search_1_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_6_value_3));
+      slice1cost_pixels_first_1_4_count_7 <= as_number(((((slice1shift_search_1_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value)) + as_number((((slice1shift_search_1_4 / 8388608) = 1) /=
+        ((slice1shift_reference_1 / 8388608) = 1))) + as_number(((((slice1shift_search_1_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_count_7_value_2));
       slice1cost_pixels_first_2_0_count_0 <= as_number((((slice1shift_search_2_0 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_0_choice_2);
-      slice1cost_pixels_first_2_0_count_1 <= as_number(slice1cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value /=
+        (((slice1shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice1shift_search_2_0 / 2) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_1 <= as_number((slice1cost_pixels_first_2_0_count_1_value /=
+        (((slice1shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice1shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice1shift_search_2_0 / 16) mod 2) = 1)));
       slice1cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_0_count_2_choice) + as_number(slice1cost_pixels_first_2_0_count_2_choice_2);
-      slice1cost_pixels_first_2_0_count_3 <= as_number(slice1cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_3_choice_3);
-      slice1cost_pixels_first_2_0_count_4 <= as_number(slice1cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_4_choice_3);
-      slice1cost_pixels_first_2_0_count_5 <= as_number(slice1cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_5_choice_3);
-      slice1cost_pixels_first_2_0_count_6 <= as_number(slice1cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_6_choice_3);
-      slice1cost_pixels_first_2_0_count_7 <= as_number(slice1cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice1cost_pixels_first_2_0_count_2_value /= (((slice1shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_2_0_count_2_value_2 /= (((slice1shift_search_2_0 / 64) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_3 <= as_number((slice1cost_pixels_first_2_0_count_3_value /=
+        (((slice1shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice1shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice1shift_search_2_0 / 1024) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_4 <= as_number((slice1cost_pixels_first_2_0_count_4_value /=
+        (((slice1shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice1shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice1shift_search_2_0 / 8192) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_5 <= as_number((slice1cost_pixels_first_2_0_count_5_value /=
+        (((slice1shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice1shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice1shift_search_2_0 / 65536) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_6 <= as_number((slice1cost_pixels_first_2_0_count_6_value /=
+        (((slice1shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice1shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice1cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice1shift_search_2_0 / 524288) mod 2) = 1)));
+      slice1cost_pixels_first_2_0_count_7 <= as_number((slice1cost_pixels_first_2_0_count_7_value /=
+        (((slice1shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice1shift_reference_2 / 8388608) = 1) /=
+        ((slice1shift_search_2_0 / 8388608) = 1))) + as_number((slice1cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice1shift_search_2_0 / 4194304) mod 2) = 1)));
       slice1cost_pixels_first_2_1_count_0 <= as_number((((slice1shift_search_2_1 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_0_choice_2);
-      slice1cost_pixels_first_2_1_count_1 <= as_number(slice1cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_1_count_1 <= as_number(((((slice1shift_search_2_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_1_count_2_choice) + as_number(slice1cost_pixels_first_2_1_count_2_choice_2);
-      slice1cost_pixels_first_2_1_count_3 <= as_number(slice1cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_3_choice_3);
-      slice1cost_pixels_first_2_1_count_4 <= as_number(slice1cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_4_choice_3);
-      slice1cost_pixels_first_2_1_count_5 <= as_number(slice1cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_5_choice_3);
-      slice1cost_pixels_first_2_1_count_6 <= as_number(slice1cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_6_choice_3);
-      slice1cost_pixels_first_2_1_count_7 <= as_number(slice1cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_1 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_1 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_1_count_3 <= as_number(((((slice1shift_search_2_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_1_count_4 <= as_number(((((slice1shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_1_count_5 <= as_number(((((slice1shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_1_count_6 <= as_number(((((slice1shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_1_count_7 <= as_number(((((slice1shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_1 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_2_count_0 <= as_number((((slice1shift_search_2_2 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_2_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_0_choice_2);
-      slice1cost_pixels_first_2_2_count_1 <= as_number(slice1cost_pixels_first_2_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_2_count_1 <= as_number(((((slice1shift_search_2_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_2_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_2 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_2_count_2_choice) + as_number(slice1cost_pixels_first_2_2_count_2_choice_2);
-      slice1cost_pixels_first_2_2_count_3 <= as_number(slice1cost_pixels_first_2_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_3_choice_3);
-      slice1cost_pixels_first_2_2_count_4 <= as_number(slice1cost_pixels_first_2_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_4_choice_3);
-      slice1cost_pixels_first_2_2_count_5 <= as_number(slice1cost_pixels_first_2_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_5_choice_3);
-      slice1cost_pixels_first_2_2_count_6 <= as_number(slice1cost_pixels_first_2_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_6_choice_3);
-      slice1cost_pixels_first_2_2_count_7 <= as_number(slice1cost_pixels_first_2_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_2_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_2 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_2 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_2_count_3 <= as_number(((((slice1shift_search_2_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_2 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_2_count_4 <= as_number(((((slice1shift_search_2_2 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_2 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_2 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_2_count_5 <= as_number(((((slice1shift_search_2_2 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_2 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_2 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_2_count_6 <= as_number(((((slice1shift_search_2_2 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_2 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_2 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_2_count_7 <= as_number(((((slice1shift_search_2_2 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_2 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_2 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_3_count_0 <= as_number((((slice1shift_search_2_3 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_3_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_0_choice_2);
-      slice1cost_pixels_first_2_3_count_1 <= as_number(slice1cost_pixels_first_2_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_3_count_1 <= as_number(((((slice1shift_search_2_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_3_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_3 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_3_count_2_choice) + as_number(slice1cost_pixels_first_2_3_count_2_choice_2);
-      slice1cost_pixels_first_2_3_count_3 <= as_number(slice1cost_pixels_first_2_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_3_choice_3);
-      slice1cost_pixels_first_2_3_count_4 <= as_number(slice1cost_pixels_first_2_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_4_choice_3);
-      slice1cost_pixels_first_2_3_count_5 <= as_number(slice1cost_pixels_first_2_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_5_choice_3);
-      slice1cost_pixels_first_2_3_count_6 <= as_number(slice1cost_pixels_first_2_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_6_choice_3);
-      slice1cost_pixels_first_2_3_count_7 <= as_number(slice1cost_pixels_first_2_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_3_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_3 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_3 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_3_count_3 <= as_number(((((slice1shift_search_2_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_3 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_3_count_4 <= as_number(((((slice1shift_search_2_3 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_3 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_3 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_3_count_5 <= as_number(((((slice1shift_search_2_3 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_3 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_3 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_3_count_6 <= as_number(((((slice1shift_search_2_3 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_3 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_3 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_3_count_7 <= as_number(((((slice1shift_search_2_3 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_3 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_3 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_first_2_4_count_0 <= as_number((((slice1shift_search_2_4 mod 2) = 1) /=
-        ((slice1shift_reference_2 mod 2) = 1))) + as_number(slice1cost_pixels_first_2_4_count_0_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_0_choice_2);
-      slice1cost_pixels_first_2_4_count_1 <= as_number(slice1cost_pixels_first_2_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_1_choice_3);
+        ((slice1shift_reference_2 mod 2) = 1))) + as_number(((((slice1shift_search_2_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value)) + as_number(((((slice1shift_search_2_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_0_value_2));
+      slice1cost_pixels_first_2_4_count_1 <= as_number(((((slice1shift_search_2_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value)) + as_number(((((slice1shift_search_2_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice1shift_search_2_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_1_value_3));
       slice1cost_pixels_first_2_4_count_2 <= (to_integer(((to_unsigned((slice1shift_search_2_4 mod 256), 8)) xor
-        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_2_4_count_2_choice) + as_number(slice1cost_pixels_first_2_4_count_2_choice_2);
-      slice1cost_pixels_first_2_4_count_3 <= as_number(slice1cost_pixels_first_2_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_3_choice_3);
-      slice1cost_pixels_first_2_4_count_4 <= as_number(slice1cost_pixels_first_2_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_4_choice_3);
-      slice1cost_pixels_first_2_4_count_5 <= as_number(slice1cost_pixels_first_2_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_5_choice_3);
-      slice1cost_pixels_first_2_4_count_6 <= as_number(slice1cost_pixels_first_2_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_6_choice_3);
-      slice1cost_pixels_first_2_4_count_7 <= as_number(slice1cost_pixels_first_2_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_2_4_count_7_choice_3);
+        (to_unsigned((slice1shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice1shift_search_2_4 / 256) mod
+        2) = 1) /= slice1cost_pixels_first_2_0_count_2_value)) + as_number(((((slice1shift_search_2_4 / 64) mod 2) = 1)
+        /= slice1cost_pixels_first_2_0_count_2_value_2));
+      slice1cost_pixels_first_2_4_count_3 <= as_number(((((slice1shift_search_2_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value)) + as_number(((((slice1shift_search_2_4 / 2048) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice1shift_search_2_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_3_value_3));
+      slice1cost_pixels_first_2_4_count_4 <= as_number(((((slice1shift_search_2_4 / 4096) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value)) + as_number(((((slice1shift_search_2_4 / 16384) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice1shift_search_2_4 / 8192) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_4_value_3));
+      slice1cost_pixels_first_2_4_count_5 <= as_number(((((slice1shift_search_2_4 / 32768) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value)) + as_number(((((slice1shift_search_2_4 / 131072) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice1shift_search_2_4 / 65536) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_5_value_3));
+      slice1cost_pixels_first_2_4_count_6 <= as_number(((((slice1shift_search_2_4 / 262144) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value)) + as_number(((((slice1shift_search_2_4 / 1048576) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice1shift_search_2_4 / 524288) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_6_value_3));
+      slice1cost_pixels_first_2_4_count_7 <= as_number(((((slice1shift_search_2_4 / 2097152) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value)) + as_number((((slice1shift_search_2_4 / 8388608) = 1) /=
+        ((slice1shift_reference_2 / 8388608) = 1))) + as_number(((((slice1shift_search_2_4 / 4194304) mod 2) = 1) /=
+        slice1cost_pixels_first_2_0_count_7_value_2));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_0 + slice1cost_pixels_first_0_0_count_2 +
         slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_5 + slice1cost_pixels_first_0_0_count_6
         + slice1cost_pixels_first_0_0_count_4 + slice1cost_pixels_first_0_0_count_7 +
@@ -5562,16 +3879,21 @@ begin
         slice1cost_pixels_first_2_4_count_3 + slice1cost_pixels_first_2_4_count_5 + slice1cost_pixels_first_2_4_count_6
         + slice1cost_pixels_first_2_4_count_4 + slice1cost_pixels_first_2_4_count_7 +
         slice1cost_pixels_first_2_4_count_1;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_0 +
-        slice1cost_pixels_cost_0_0 + slice1cost_pixels_cost_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_1 +
-        slice1cost_pixels_cost_0_1 + slice1cost_pixels_cost_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_2 +
-        slice1cost_pixels_cost_0_2 + slice1cost_pixels_cost_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_3 +
-        slice1cost_pixels_cost_0_3 + slice1cost_pixels_cost_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_2_4 +
-        slice1cost_pixels_cost_0_4 + slice1cost_pixels_cost_1_4;
+      slice1cost_pair_0_0 <= slice1cost_pixels_cost_1_0 + slice1cost_pixels_cost_2_0;
+      slice1cost_pair_0_1 <= slice1cost_pixels_cost_1_1 + slice1cost_pixels_cost_2_1;
+      slice1cost_pair_0_2 <= slice1cost_pixels_cost_1_2 + slice1cost_pixels_cost_2_2;
+      slice1cost_pair_0_3 <= slice1cost_pixels_cost_1_3 + slice1cost_pixels_cost_2_3;
+      slice1cost_pair_0_4 <= slice1cost_pixels_cost_1_4 + slice1cost_pixels_cost_2_4;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
+      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
+      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
+      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
+      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
+      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       -- slice1window
       if slice0window_tag_valid then
@@ -5616,539 +3938,260 @@ begin
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := ((slice2shift_reference_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_search_0_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := ((slice2shift_reference_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := ((slice2shift_search_0_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := ((slice2shift_reference_0 / 2) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_1_value := ((slice2shift_reference_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_search_0_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := ((slice2shift_search_0_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := ((slice2shift_reference_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := ((slice2shift_search_0_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := ((slice2shift_reference_0 / 32) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := ((slice2shift_reference_0 / 16) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_2_value := ((slice2shift_reference_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_search_0_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := ((slice2shift_reference_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := ((slice2shift_search_0_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := ((slice2shift_reference_0 / 64) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_3_value := ((slice2shift_reference_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_search_0_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := ((slice2shift_search_0_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := ((slice2shift_search_0_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := ((slice2shift_reference_0 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := ((slice2shift_reference_0 / 1024) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_4_value := ((slice2shift_reference_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_search_0_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := ((slice2shift_search_0_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := ((slice2shift_search_0_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := ((slice2shift_reference_0 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := ((slice2shift_reference_0 / 8192) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_5_value := ((slice2shift_reference_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_search_0_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := ((slice2shift_search_0_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := ((slice2shift_search_0_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := ((slice2shift_reference_0 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := ((slice2shift_reference_0 / 65536) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_6_value := ((slice2shift_reference_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_search_0_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := ((slice2shift_search_0_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := ((slice2shift_search_0_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := ((slice2shift_reference_0 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := ((slice2shift_reference_0 / 524288) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_7_value := ((slice2shift_reference_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_search_0_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not ((slice2shift_search_0_0 / 8388608) = 1) when
-        (slice2shift_reference_0 / 8388608) = 1 else (slice2shift_search_0_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_3 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := ((slice2shift_search_0_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        ((slice2shift_search_0_1 / 4) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        ((slice2shift_search_0_1 / 2) mod 2) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        ((slice2shift_search_0_1 / 8) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        ((slice2shift_search_0_1 / 32) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        ((slice2shift_search_0_1 / 16) mod 2) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        ((slice2shift_search_0_1 / 256) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        ((slice2shift_search_0_1 / 64) mod 2) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        ((slice2shift_search_0_1 / 512) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        ((slice2shift_search_0_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        ((slice2shift_search_0_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        ((slice2shift_search_0_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        ((slice2shift_search_0_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        ((slice2shift_search_0_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        ((slice2shift_search_0_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        ((slice2shift_search_0_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        ((slice2shift_search_0_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        ((slice2shift_search_0_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        ((slice2shift_search_0_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        ((slice2shift_search_0_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        ((slice2shift_search_0_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not ((slice2shift_reference_0 / 8388608) = 1) when
-        (slice2shift_search_0_1 / 8388608) = 1 else (slice2shift_reference_0 / 8388608) = 1;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        ((slice2shift_search_0_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
+      slice2cost_pixels_first_0_0_count_7_value_2 := ((slice2shift_reference_0 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_0_value := ((slice2shift_reference_1 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_search_1_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value_2 when
-        slice2cost_pixels_first_1_0_count_0_value else slice2cost_pixels_first_1_0_count_0_value_2;
-      slice2cost_pixels_first_1_0_count_0_value_3 := ((slice2shift_reference_1 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_value_4 := ((slice2shift_search_1_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_4 when
-        slice2cost_pixels_first_1_0_count_0_value_3 else slice2cost_pixels_first_1_0_count_0_value_4;
+      slice2cost_pixels_first_1_0_count_0_value_2 := ((slice2shift_reference_1 / 2) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_1_value := ((slice2shift_reference_1 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_search_1_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value_2 when
-        slice2cost_pixels_first_1_0_count_1_value else slice2cost_pixels_first_1_0_count_1_value_2;
-      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_4 := ((slice2shift_search_1_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_4 when
-        slice2cost_pixels_first_1_0_count_1_value_3 else slice2cost_pixels_first_1_0_count_1_value_4;
-      slice2cost_pixels_first_1_0_count_1_value_5 := ((slice2shift_reference_1 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_value_6 := ((slice2shift_search_1_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_6 when
-        slice2cost_pixels_first_1_0_count_1_value_5 else slice2cost_pixels_first_1_0_count_1_value_6;
+      slice2cost_pixels_first_1_0_count_1_value_2 := ((slice2shift_reference_1 / 32) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_1_value_3 := ((slice2shift_reference_1 / 16) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_2_value := ((slice2shift_reference_1 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_search_1_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value_2 when
-        slice2cost_pixels_first_1_0_count_2_value else slice2cost_pixels_first_1_0_count_2_value_2;
-      slice2cost_pixels_first_1_0_count_2_value_3 := ((slice2shift_reference_1 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_value_4 := ((slice2shift_search_1_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_4 when
-        slice2cost_pixels_first_1_0_count_2_value_3 else slice2cost_pixels_first_1_0_count_2_value_4;
+      slice2cost_pixels_first_1_0_count_2_value_2 := ((slice2shift_reference_1 / 64) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_3_value := ((slice2shift_reference_1 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_search_1_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value_2 when
-        slice2cost_pixels_first_1_0_count_3_value else slice2cost_pixels_first_1_0_count_3_value_2;
-      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_4 := ((slice2shift_search_1_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_4 when
-        slice2cost_pixels_first_1_0_count_3_value_3 else slice2cost_pixels_first_1_0_count_3_value_4;
-      slice2cost_pixels_first_1_0_count_3_value_5 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_value_6 := ((slice2shift_search_1_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_6 when
-        slice2cost_pixels_first_1_0_count_3_value_5 else slice2cost_pixels_first_1_0_count_3_value_6;
+      slice2cost_pixels_first_1_0_count_3_value_2 := ((slice2shift_reference_1 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_3_value_3 := ((slice2shift_reference_1 / 1024) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_4_value := ((slice2shift_reference_1 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_search_1_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value_2 when
-        slice2cost_pixels_first_1_0_count_4_value else slice2cost_pixels_first_1_0_count_4_value_2;
-      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_4 := ((slice2shift_search_1_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_4 when
-        slice2cost_pixels_first_1_0_count_4_value_3 else slice2cost_pixels_first_1_0_count_4_value_4;
-      slice2cost_pixels_first_1_0_count_4_value_5 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_value_6 := ((slice2shift_search_1_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_6 when
-        slice2cost_pixels_first_1_0_count_4_value_5 else slice2cost_pixels_first_1_0_count_4_value_6;
+      slice2cost_pixels_first_1_0_count_4_value_2 := ((slice2shift_reference_1 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_4_value_3 := ((slice2shift_reference_1 / 8192) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_5_value := ((slice2shift_reference_1 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_search_1_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value_2 when
-        slice2cost_pixels_first_1_0_count_5_value else slice2cost_pixels_first_1_0_count_5_value_2;
-      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_4 := ((slice2shift_search_1_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_4 when
-        slice2cost_pixels_first_1_0_count_5_value_3 else slice2cost_pixels_first_1_0_count_5_value_4;
-      slice2cost_pixels_first_1_0_count_5_value_5 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_value_6 := ((slice2shift_search_1_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_6 when
-        slice2cost_pixels_first_1_0_count_5_value_5 else slice2cost_pixels_first_1_0_count_5_value_6;
+      slice2cost_pixels_first_1_0_count_5_value_2 := ((slice2shift_reference_1 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_5_value_3 := ((slice2shift_reference_1 / 65536) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_6_value := ((slice2shift_reference_1 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_search_1_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value_2 when
-        slice2cost_pixels_first_1_0_count_6_value else slice2cost_pixels_first_1_0_count_6_value_2;
-      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_4 := ((slice2shift_search_1_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_4 when
-        slice2cost_pixels_first_1_0_count_6_value_3 else slice2cost_pixels_first_1_0_count_6_value_4;
-      slice2cost_pixels_first_1_0_count_6_value_5 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_value_6 := ((slice2shift_search_1_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_6 when
-        slice2cost_pixels_first_1_0_count_6_value_5 else slice2cost_pixels_first_1_0_count_6_value_6;
+      slice2cost_pixels_first_1_0_count_6_value_2 := ((slice2shift_reference_1 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_1_0_count_6_value_3 := ((slice2shift_reference_1 / 524288) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value := ((slice2shift_reference_1 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_search_1_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value_2 when
-        slice2cost_pixels_first_1_0_count_7_value else slice2cost_pixels_first_1_0_count_7_value_2;
-      slice2cost_pixels_first_1_0_count_7_choice_2 := not ((slice2shift_search_1_0 / 8388608) = 1) when
-        (slice2shift_reference_1 / 8388608) = 1 else (slice2shift_search_1_0 / 8388608) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_value_4 := ((slice2shift_search_1_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_1_0_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_4 when
-        slice2cost_pixels_first_1_0_count_7_value_3 else slice2cost_pixels_first_1_0_count_7_value_4;
-      slice2cost_pixels_first_1_1_count_0_choice := not slice2cost_pixels_first_1_0_count_0_value when
-        ((slice2shift_search_1_1 / 4) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value;
-      slice2cost_pixels_first_1_1_count_0_choice_2 := not slice2cost_pixels_first_1_0_count_0_value_3 when
-        ((slice2shift_search_1_1 / 2) mod 2) = 1 else slice2cost_pixels_first_1_0_count_0_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice := not slice2cost_pixels_first_1_0_count_1_value when
-        ((slice2shift_search_1_1 / 8) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value;
-      slice2cost_pixels_first_1_1_count_1_choice_2 := not slice2cost_pixels_first_1_0_count_1_value_3 when
-        ((slice2shift_search_1_1 / 32) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_3;
-      slice2cost_pixels_first_1_1_count_1_choice_3 := not slice2cost_pixels_first_1_0_count_1_value_5 when
-        ((slice2shift_search_1_1 / 16) mod 2) = 1 else slice2cost_pixels_first_1_0_count_1_value_5;
-      slice2cost_pixels_first_1_1_count_2_choice := not slice2cost_pixels_first_1_0_count_2_value when
-        ((slice2shift_search_1_1 / 256) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value;
-      slice2cost_pixels_first_1_1_count_2_choice_2 := not slice2cost_pixels_first_1_0_count_2_value_3 when
-        ((slice2shift_search_1_1 / 64) mod 2) = 1 else slice2cost_pixels_first_1_0_count_2_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice := not slice2cost_pixels_first_1_0_count_3_value when
-        ((slice2shift_search_1_1 / 512) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value;
-      slice2cost_pixels_first_1_1_count_3_choice_2 := not slice2cost_pixels_first_1_0_count_3_value_3 when
-        ((slice2shift_search_1_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_3;
-      slice2cost_pixels_first_1_1_count_3_choice_3 := not slice2cost_pixels_first_1_0_count_3_value_5 when
-        ((slice2shift_search_1_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_1_0_count_3_value_5;
-      slice2cost_pixels_first_1_1_count_4_choice := not slice2cost_pixels_first_1_0_count_4_value when
-        ((slice2shift_search_1_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value;
-      slice2cost_pixels_first_1_1_count_4_choice_2 := not slice2cost_pixels_first_1_0_count_4_value_3 when
-        ((slice2shift_search_1_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_3;
-      slice2cost_pixels_first_1_1_count_4_choice_3 := not slice2cost_pixels_first_1_0_count_4_value_5 when
-        ((slice2shift_search_1_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_1_0_count_4_value_5;
-      slice2cost_pixels_first_1_1_count_5_choice := not slice2cost_pixels_first_1_0_count_5_value when
-        ((slice2shift_search_1_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value;
-      slice2cost_pixels_first_1_1_count_5_choice_2 := not slice2cost_pixels_first_1_0_count_5_value_3 when
-        ((slice2shift_search_1_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_3;
-      slice2cost_pixels_first_1_1_count_5_choice_3 := not slice2cost_pixels_first_1_0_count_5_value_5 when
-        ((slice2shift_search_1_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_1_0_count_5_value_5;
-      slice2cost_pixels_first_1_1_count_6_choice := not slice2cost_pixels_first_1_0_count_6_value when
-        ((slice2shift_search_1_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value;
-      slice2cost_pixels_first_1_1_count_6_choice_2 := not slice2cost_pixels_first_1_0_count_6_value_3 when
-        ((slice2shift_search_1_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_3;
-      slice2cost_pixels_first_1_1_count_6_choice_3 := not slice2cost_pixels_first_1_0_count_6_value_5 when
-        ((slice2shift_search_1_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_1_0_count_6_value_5;
-      slice2cost_pixels_first_1_1_count_7_choice := not slice2cost_pixels_first_1_0_count_7_value when
-        ((slice2shift_search_1_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value;
-      slice2cost_pixels_first_1_1_count_7_choice_2 := not ((slice2shift_reference_1 / 8388608) = 1) when
-        (slice2shift_search_1_1 / 8388608) = 1 else (slice2shift_reference_1 / 8388608) = 1;
-      slice2cost_pixels_first_1_1_count_7_choice_3 := not slice2cost_pixels_first_1_0_count_7_value_3 when
-        ((slice2shift_search_1_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_1_0_count_7_value_3;
+      slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_0_value := ((slice2shift_reference_2 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_search_2_0 / 4) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value_2 when
-        slice2cost_pixels_first_2_0_count_0_value else slice2cost_pixels_first_2_0_count_0_value_2;
-      slice2cost_pixels_first_2_0_count_0_value_3 := ((slice2shift_reference_2 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_value_4 := ((slice2shift_search_2_0 / 2) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_4 when
-        slice2cost_pixels_first_2_0_count_0_value_3 else slice2cost_pixels_first_2_0_count_0_value_4;
+      slice2cost_pixels_first_2_0_count_0_value_2 := ((slice2shift_reference_2 / 2) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_1_value := ((slice2shift_reference_2 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_search_2_0 / 8) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value_2 when
-        slice2cost_pixels_first_2_0_count_1_value else slice2cost_pixels_first_2_0_count_1_value_2;
-      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_4 := ((slice2shift_search_2_0 / 32) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_4 when
-        slice2cost_pixels_first_2_0_count_1_value_3 else slice2cost_pixels_first_2_0_count_1_value_4;
-      slice2cost_pixels_first_2_0_count_1_value_5 := ((slice2shift_reference_2 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_value_6 := ((slice2shift_search_2_0 / 16) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_6 when
-        slice2cost_pixels_first_2_0_count_1_value_5 else slice2cost_pixels_first_2_0_count_1_value_6;
+      slice2cost_pixels_first_2_0_count_1_value_2 := ((slice2shift_reference_2 / 32) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_1_value_3 := ((slice2shift_reference_2 / 16) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_2_value := ((slice2shift_reference_2 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_search_2_0 / 256) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value_2 when
-        slice2cost_pixels_first_2_0_count_2_value else slice2cost_pixels_first_2_0_count_2_value_2;
-      slice2cost_pixels_first_2_0_count_2_value_3 := ((slice2shift_reference_2 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_value_4 := ((slice2shift_search_2_0 / 64) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_4 when
-        slice2cost_pixels_first_2_0_count_2_value_3 else slice2cost_pixels_first_2_0_count_2_value_4;
+      slice2cost_pixels_first_2_0_count_2_value_2 := ((slice2shift_reference_2 / 64) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_3_value := ((slice2shift_reference_2 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_search_2_0 / 512) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value_2 when
-        slice2cost_pixels_first_2_0_count_3_value else slice2cost_pixels_first_2_0_count_3_value_2;
-      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_4 := ((slice2shift_search_2_0 / 2048) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_4 when
-        slice2cost_pixels_first_2_0_count_3_value_3 else slice2cost_pixels_first_2_0_count_3_value_4;
-      slice2cost_pixels_first_2_0_count_3_value_5 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_value_6 := ((slice2shift_search_2_0 / 1024) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_6 when
-        slice2cost_pixels_first_2_0_count_3_value_5 else slice2cost_pixels_first_2_0_count_3_value_6;
+      slice2cost_pixels_first_2_0_count_3_value_2 := ((slice2shift_reference_2 / 2048) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_3_value_3 := ((slice2shift_reference_2 / 1024) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_4_value := ((slice2shift_reference_2 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_search_2_0 / 4096) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value_2 when
-        slice2cost_pixels_first_2_0_count_4_value else slice2cost_pixels_first_2_0_count_4_value_2;
-      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_4 := ((slice2shift_search_2_0 / 16384) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_4 when
-        slice2cost_pixels_first_2_0_count_4_value_3 else slice2cost_pixels_first_2_0_count_4_value_4;
-      slice2cost_pixels_first_2_0_count_4_value_5 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_value_6 := ((slice2shift_search_2_0 / 8192) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_6 when
-        slice2cost_pixels_first_2_0_count_4_value_5 else slice2cost_pixels_first_2_0_count_4_value_6;
+      slice2cost_pixels_first_2_0_count_4_value_2 := ((slice2shift_reference_2 / 16384) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_4_value_3 := ((slice2shift_reference_2 / 8192) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_5_value := ((slice2shift_reference_2 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_search_2_0 / 32768) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value_2 when
-        slice2cost_pixels_first_2_0_count_5_value else slice2cost_pixels_first_2_0_count_5_value_2;
-      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_4 := ((slice2shift_search_2_0 / 131072) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_4 when
-        slice2cost_pixels_first_2_0_count_5_value_3 else slice2cost_pixels_first_2_0_count_5_value_4;
-      slice2cost_pixels_first_2_0_count_5_value_5 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_value_6 := ((slice2shift_search_2_0 / 65536) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_6 when
-        slice2cost_pixels_first_2_0_count_5_value_5 else slice2cost_pixels_first_2_0_count_5_value_6;
+      slice2cost_pixels_first_2_0_count_5_value_2 := ((slice2shift_reference_2 / 131072) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_5_value_3 := ((slice2shift_reference_2 / 65536) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_6_value := ((slice2shift_reference_2 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_search_2_0 / 262144) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value_2 when
-        slice2cost_pixels_first_2_0_count_6_value else slice2cost_pixels_first_2_0_count_6_value_2;
-      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_4 := ((slice2shift_search_2_0 / 1048576) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_4 when
-        slice2cost_pixels_first_2_0_count_6_value_3 else slice2cost_pixels_first_2_0_count_6_value_4;
-      slice2cost_pixels_first_2_0_count_6_value_5 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_value_6 := ((slice2shift_search_2_0 / 524288) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_6 when
-        slice2cost_pixels_first_2_0_count_6_value_5 else slice2cost_pixels_first_2_0_count_6_value_6;
+      slice2cost_pixels_first_2_0_count_6_value_2 := ((slice2shift_reference_2 / 1048576) mod 2) = 1;
+      slice2cost_pixels_first_2_0_count_6_value_3 := ((slice2shift_reference_2 / 524288) mod 2) = 1;
       slice2cost_pixels_first_2_0_count_7_value := ((slice2shift_reference_2 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_search_2_0 / 2097152) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value_2 when
-        slice2cost_pixels_first_2_0_count_7_value else slice2cost_pixels_first_2_0_count_7_value_2;
-      slice2cost_pixels_first_2_0_count_7_choice_2 := not ((slice2shift_search_2_0 / 8388608) = 1) when
-        (slice2shift_reference_2 / 8388608) = 1 else (slice2shift_search_2_0 / 8388608) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_3 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_value_4 := ((slice2shift_search_2_0 / 4194304) mod 2) = 1;
-      slice2cost_pixels_first_2_0_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_4 when
-        slice2cost_pixels_first_2_0_count_7_value_3 else slice2cost_pixels_first_2_0_count_7_value_4;
-      slice2cost_pixels_first_2_1_count_0_choice := not slice2cost_pixels_first_2_0_count_0_value when
-        ((slice2shift_search_2_1 / 4) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value;
-      slice2cost_pixels_first_2_1_count_0_choice_2 := not slice2cost_pixels_first_2_0_count_0_value_3 when
-        ((slice2shift_search_2_1 / 2) mod 2) = 1 else slice2cost_pixels_first_2_0_count_0_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice := not slice2cost_pixels_first_2_0_count_1_value when
-        ((slice2shift_search_2_1 / 8) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value;
-      slice2cost_pixels_first_2_1_count_1_choice_2 := not slice2cost_pixels_first_2_0_count_1_value_3 when
-        ((slice2shift_search_2_1 / 32) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_3;
-      slice2cost_pixels_first_2_1_count_1_choice_3 := not slice2cost_pixels_first_2_0_count_1_value_5 when
-        ((slice2shift_search_2_1 / 16) mod 2) = 1 else slice2cost_pixels_first_2_0_count_1_value_5;
-      slice2cost_pixels_first_2_1_count_2_choice := not slice2cost_pixels_first_2_0_count_2_value when
-        ((slice2shift_search_2_1 / 256) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value;
-      slice2cost_pixels_first_2_1_count_2_choice_2 := not slice2cost_pixels_first_2_0_count_2_value_3 when
-        ((slice2shift_search_2_1 / 64) mod 2) = 1 else slice2cost_pixels_first_2_0_count_2_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice := not slice2cost_pixels_first_2_0_count_3_value when
-        ((slice2shift_search_2_1 / 512) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value;
-      slice2cost_pixels_first_2_1_count_3_choice_2 := not slice2cost_pixels_first_2_0_count_3_value_3 when
-        ((slice2shift_search_2_1 / 2048) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_3;
-      slice2cost_pixels_first_2_1_count_3_choice_3 := not slice2cost_pixels_first_2_0_count_3_value_5 when
-        ((slice2shift_search_2_1 / 1024) mod 2) = 1 else slice2cost_pixels_first_2_0_count_3_value_5;
-      slice2cost_pixels_first_2_1_count_4_choice := not slice2cost_pixels_first_2_0_count_4_value when
-        ((slice2shift_search_2_1 / 4096) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value;
-      slice2cost_pixels_first_2_1_count_4_choice_2 := not slice2cost_pixels_first_2_0_count_4_value_3 when
-        ((slice2shift_search_2_1 / 16384) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_3;
-      slice2cost_pixels_first_2_1_count_4_choice_3 := not slice2cost_pixels_first_2_0_count_4_value_5 when
-        ((slice2shift_search_2_1 / 8192) mod 2) = 1 else slice2cost_pixels_first_2_0_count_4_value_5;
-      slice2cost_pixels_first_2_1_count_5_choice := not slice2cost_pixels_first_2_0_count_5_value when
-        ((slice2shift_search_2_1 / 32768) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value;
-      slice2cost_pixels_first_2_1_count_5_choice_2 := not slice2cost_pixels_first_2_0_count_5_value_3 when
-        ((slice2shift_search_2_1 / 131072) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_3;
-      slice2cost_pixels_first_2_1_count_5_choice_3 := not slice2cost_pixels_first_2_0_count_5_value_5 when
-        ((slice2shift_search_2_1 / 65536) mod 2) = 1 else slice2cost_pixels_first_2_0_count_5_value_5;
-      slice2cost_pixels_first_2_1_count_6_choice := not slice2cost_pixels_first_2_0_count_6_value when
-        ((slice2shift_search_2_1 / 262144) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value;
-      slice2cost_pixels_first_2_1_count_6_choice_2 := not slice2cost_pixels_first_2_0_count_6_value_3 when
-        ((slice2shift_search_2_1 / 1048576) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_3;
-      slice2cost_pixels_first_2_1_count_6_choice_3 := not slice2cost_pixels_first_2_0_count_6_value_5 when
-        ((slice2shift_search_2_1 / 524288) mod 2) = 1 else slice2cost_pixels_first_2_0_count_6_value_5;
-      slice2cost_pixels_first_2_1_count_7_choice := not slice2cost_pixels_first_2_0_count_7_value when
-        ((slice2shift_search_2_1 / 2097152) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value;
-      slice2cost_pixels_first_2_1_count_7_choice_2 := not ((slice2shift_reference_2 / 8388608) = 1) when
-        (slice2shift_search_2_1 / 8388608) = 1 else (slice2shift_reference_2 / 8388608) = 1;
-      slice2cost_pixels_first_2_1_count_7_choice_3 := not slice2cost_pixels_first_2_0_count_7_value_3 when
-        ((slice2shift_search_2_1 / 4194304) mod 2) = 1 else slice2cost_pixels_first_2_0_count_7_value_3;
+      slice2cost_pixels_first_2_0_count_7_value_2 := ((slice2shift_reference_2 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
+        (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
+        (((slice2shift_search_0_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (((slice2shift_search_0_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2 /=
+        (((slice2shift_search_0_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_3 /=
+        (((slice2shift_search_0_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (((slice2shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (((slice2shift_search_0_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (((slice2shift_search_0_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2 /=
+        (((slice2shift_search_0_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_3 /=
+        (((slice2shift_search_0_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (((slice2shift_search_0_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_2 /=
+        (((slice2shift_search_0_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /=
+        (((slice2shift_search_0_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (((slice2shift_search_0_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_2 /=
+        (((slice2shift_search_0_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /=
+        (((slice2shift_search_0_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (((slice2shift_search_0_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_2 /=
+        (((slice2shift_search_0_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /=
+        (((slice2shift_search_0_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (((slice2shift_search_0_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_0 / 8388608) = 1) /=
+        ((slice2shift_search_0_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_2 /=
+        (((slice2shift_search_0_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number((((slice2shift_search_0_1 mod 2) = 1) /=
-        ((slice2shift_reference_0 mod 2) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        ((slice2shift_reference_0 mod 2) = 1))) + as_number(((((slice2shift_search_0_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value)) + as_number(((((slice2shift_search_0_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((((slice2shift_search_0_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((((slice2shift_search_0_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((((slice2shift_search_0_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_0_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_0 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_0_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_0_0_count_2_value)) + as_number(((((slice2shift_search_0_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((((slice2shift_search_0_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((((slice2shift_search_0_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((((slice2shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((((slice2shift_search_0_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((((slice2shift_search_0_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((((slice2shift_search_0_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((((slice2shift_search_0_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((((slice2shift_search_0_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((((slice2shift_search_0_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((((slice2shift_search_0_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((((slice2shift_search_0_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((((slice2shift_search_0_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((((slice2shift_search_0_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number((((slice2shift_search_0_1 / 8388608) = 1) /=
+        ((slice2shift_reference_0 / 8388608) = 1))) + as_number(((((slice2shift_search_0_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value_2));
       slice2cost_pixels_first_1_0_count_0 <= as_number((((slice2shift_search_1_0 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_0_choice_2);
-      slice2cost_pixels_first_1_0_count_1 <= as_number(slice2cost_pixels_first_1_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value /=
+        (((slice2shift_search_1_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_0_value_2 /=
+        (((slice2shift_search_1_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_1 <= as_number((slice2cost_pixels_first_1_0_count_1_value /=
+        (((slice2shift_search_1_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_2 /=
+        (((slice2shift_search_1_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_1_value_3 /=
+        (((slice2shift_search_1_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_1_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_0_count_2_choice) + as_number(slice2cost_pixels_first_1_0_count_2_choice_2);
-      slice2cost_pixels_first_1_0_count_3 <= as_number(slice2cost_pixels_first_1_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_3_choice_3);
-      slice2cost_pixels_first_1_0_count_4 <= as_number(slice2cost_pixels_first_1_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_4_choice_3);
-      slice2cost_pixels_first_1_0_count_5 <= as_number(slice2cost_pixels_first_1_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_5_choice_3);
-      slice2cost_pixels_first_1_0_count_6 <= as_number(slice2cost_pixels_first_1_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_6_choice_3);
-      slice2cost_pixels_first_1_0_count_7 <= as_number(slice2cost_pixels_first_1_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_1_0_count_2_value /= (((slice2shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_1_0_count_2_value_2 /= (((slice2shift_search_1_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_3 <= as_number((slice2cost_pixels_first_1_0_count_3_value /=
+        (((slice2shift_search_1_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_2 /=
+        (((slice2shift_search_1_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_3_value_3 /=
+        (((slice2shift_search_1_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_4 <= as_number((slice2cost_pixels_first_1_0_count_4_value /=
+        (((slice2shift_search_1_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_2 /=
+        (((slice2shift_search_1_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_4_value_3 /=
+        (((slice2shift_search_1_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_5 <= as_number((slice2cost_pixels_first_1_0_count_5_value /=
+        (((slice2shift_search_1_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_2 /=
+        (((slice2shift_search_1_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_5_value_3 /=
+        (((slice2shift_search_1_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_6 <= as_number((slice2cost_pixels_first_1_0_count_6_value /=
+        (((slice2shift_search_1_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_2 /=
+        (((slice2shift_search_1_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_1_0_count_6_value_3 /=
+        (((slice2shift_search_1_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_1_0_count_7 <= as_number((slice2cost_pixels_first_1_0_count_7_value /=
+        (((slice2shift_search_1_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_1 / 8388608) = 1) /=
+        ((slice2shift_search_1_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_1_0_count_7_value_2 /=
+        (((slice2shift_search_1_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_1_1_count_0 <= as_number((((slice2shift_search_1_1 mod 2) = 1) /=
-        ((slice2shift_reference_1 mod 2) = 1))) + as_number(slice2cost_pixels_first_1_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_0_choice_2);
-      slice2cost_pixels_first_1_1_count_1 <= as_number(slice2cost_pixels_first_1_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_1_choice_3);
+        ((slice2shift_reference_1 mod 2) = 1))) + as_number(((((slice2shift_search_1_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value)) + as_number(((((slice2shift_search_1_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_0_value_2));
+      slice2cost_pixels_first_1_1_count_1 <= as_number(((((slice2shift_search_1_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value)) + as_number(((((slice2shift_search_1_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_2)) + as_number(((((slice2shift_search_1_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_1_value_3));
       slice2cost_pixels_first_1_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_1_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_1_1_count_2_choice) + as_number(slice2cost_pixels_first_1_1_count_2_choice_2);
-      slice2cost_pixels_first_1_1_count_3 <= as_number(slice2cost_pixels_first_1_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_3_choice_3);
-      slice2cost_pixels_first_1_1_count_4 <= as_number(slice2cost_pixels_first_1_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_4_choice_3);
-      slice2cost_pixels_first_1_1_count_5 <= as_number(slice2cost_pixels_first_1_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_5_choice_3);
-      slice2cost_pixels_first_1_1_count_6 <= as_number(slice2cost_pixels_first_1_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_6_choice_3);
-      slice2cost_pixels_first_1_1_count_7 <= as_number(slice2cost_pixels_first_1_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_1_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_1 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_1_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_1_0_count_2_value)) + as_number(((((slice2shift_search_1_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_1_0_count_2_value_2));
+      slice2cost_pixels_first_1_1_count_3 <= as_number(((((slice2shift_search_1_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value)) + as_number(((((slice2shift_search_1_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_2)) + as_number(((((slice2shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_3_value_3));
+      slice2cost_pixels_first_1_1_count_4 <= as_number(((((slice2shift_search_1_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value)) + as_number(((((slice2shift_search_1_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_2)) + as_number(((((slice2shift_search_1_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_4_value_3));
+      slice2cost_pixels_first_1_1_count_5 <= as_number(((((slice2shift_search_1_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value)) + as_number(((((slice2shift_search_1_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_2)) + as_number(((((slice2shift_search_1_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_5_value_3));
+      slice2cost_pixels_first_1_1_count_6 <= as_number(((((slice2shift_search_1_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value)) + as_number(((((slice2shift_search_1_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_2)) + as_number(((((slice2shift_search_1_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_6_value_3));
+      slice2cost_pixels_first_1_1_count_7 <= as_number(((((slice2shift_search_1_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value)) + as_number((((slice2shift_search_1_1 / 8388608) = 1) /=
+        ((slice2shift_reference_1 / 8388608) = 1))) + as_number(((((slice2shift_search_1_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_1_0_count_7_value_2));
       slice2cost_pixels_first_2_0_count_0 <= as_number((((slice2shift_search_2_0 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_0_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_0_choice_2);
-      slice2cost_pixels_first_2_0_count_1 <= as_number(slice2cost_pixels_first_2_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value /=
+        (((slice2shift_search_2_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_0_value_2 /=
+        (((slice2shift_search_2_0 / 2) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_1 <= as_number((slice2cost_pixels_first_2_0_count_1_value /=
+        (((slice2shift_search_2_0 / 8) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_2 /=
+        (((slice2shift_search_2_0 / 32) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_1_value_3 /=
+        (((slice2shift_search_2_0 / 16) mod 2) = 1)));
       slice2cost_pixels_first_2_0_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_0 mod 256), 8)) xor
         (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_0_count_2_choice) + as_number(slice2cost_pixels_first_2_0_count_2_choice_2);
-      slice2cost_pixels_first_2_0_count_3 <= as_number(slice2cost_pixels_first_2_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_3_choice_3);
-      slice2cost_pixels_first_2_0_count_4 <= as_number(slice2cost_pixels_first_2_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_4_choice_3);
-      slice2cost_pixels_first_2_0_count_5 <= as_number(slice2cost_pixels_first_2_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_5_choice_3);
-      slice2cost_pixels_first_2_0_count_6 <= as_number(slice2cost_pixels_first_2_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_6_choice_3);
-      slice2cost_pixels_first_2_0_count_7 <= as_number(slice2cost_pixels_first_2_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_0_count_7_choice_3);
+        as_number((slice2cost_pixels_first_2_0_count_2_value /= (((slice2shift_search_2_0 / 256) mod 2) = 1))) +
+        as_number((slice2cost_pixels_first_2_0_count_2_value_2 /= (((slice2shift_search_2_0 / 64) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_3 <= as_number((slice2cost_pixels_first_2_0_count_3_value /=
+        (((slice2shift_search_2_0 / 512) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_2 /=
+        (((slice2shift_search_2_0 / 2048) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_3_value_3 /=
+        (((slice2shift_search_2_0 / 1024) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_4 <= as_number((slice2cost_pixels_first_2_0_count_4_value /=
+        (((slice2shift_search_2_0 / 4096) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_2 /=
+        (((slice2shift_search_2_0 / 16384) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_4_value_3 /=
+        (((slice2shift_search_2_0 / 8192) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_5 <= as_number((slice2cost_pixels_first_2_0_count_5_value /=
+        (((slice2shift_search_2_0 / 32768) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_2 /=
+        (((slice2shift_search_2_0 / 131072) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_5_value_3 /=
+        (((slice2shift_search_2_0 / 65536) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_6 <= as_number((slice2cost_pixels_first_2_0_count_6_value /=
+        (((slice2shift_search_2_0 / 262144) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_2 /=
+        (((slice2shift_search_2_0 / 1048576) mod 2) = 1))) + as_number((slice2cost_pixels_first_2_0_count_6_value_3 /=
+        (((slice2shift_search_2_0 / 524288) mod 2) = 1)));
+      slice2cost_pixels_first_2_0_count_7 <= as_number((slice2cost_pixels_first_2_0_count_7_value /=
+        (((slice2shift_search_2_0 / 2097152) mod 2) = 1))) + as_number((((slice2shift_reference_2 / 8388608) = 1) /=
+        ((slice2shift_search_2_0 / 8388608) = 1))) + as_number((slice2cost_pixels_first_2_0_count_7_value_2 /=
+        (((slice2shift_search_2_0 / 4194304) mod 2) = 1)));
       slice2cost_pixels_first_2_1_count_0 <= as_number((((slice2shift_search_2_1 mod 2) = 1) /=
-        ((slice2shift_reference_2 mod 2) = 1))) + as_number(slice2cost_pixels_first_2_1_count_0_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_0_choice_2);
-      slice2cost_pixels_first_2_1_count_1 <= as_number(slice2cost_pixels_first_2_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_1_choice_3);
+        ((slice2shift_reference_2 mod 2) = 1))) + as_number(((((slice2shift_search_2_1 / 4) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value)) + as_number(((((slice2shift_search_2_1 / 2) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_0_value_2));
+      slice2cost_pixels_first_2_1_count_1 <= as_number(((((slice2shift_search_2_1 / 8) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value)) + as_number(((((slice2shift_search_2_1 / 32) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_2)) + as_number(((((slice2shift_search_2_1 / 16) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_1_value_3));
       slice2cost_pixels_first_2_1_count_2 <= (to_integer(((to_unsigned((slice2shift_search_2_1 mod 256), 8)) xor
-        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_2_1_count_2_choice) + as_number(slice2cost_pixels_first_2_1_count_2_choice_2);
-      slice2cost_pixels_first_2_1_count_3 <= as_number(slice2cost_pixels_first_2_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_3_choice_3);
-      slice2cost_pixels_first_2_1_count_4 <= as_number(slice2cost_pixels_first_2_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_4_choice_3);
-      slice2cost_pixels_first_2_1_count_5 <= as_number(slice2cost_pixels_first_2_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_5_choice_3);
-      slice2cost_pixels_first_2_1_count_6 <= as_number(slice2cost_pixels_first_2_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_6_choice_3);
-      slice2cost_pixels_first_2_1_count_7 <= as_number(slice2cost_pixels_first_2_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_2_1_count_7_choice_3);
+        (to_unsigned((slice2shift_reference_2 mod 256), 8)))) / 128) + as_number(((((slice2shift_search_2_1 / 256) mod
+        2) = 1) /= slice2cost_pixels_first_2_0_count_2_value)) + as_number(((((slice2shift_search_2_1 / 64) mod 2) = 1)
+        /= slice2cost_pixels_first_2_0_count_2_value_2));
+      slice2cost_pixels_first_2_1_count_3 <= as_number(((((slice2shift_search_2_1 / 512) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value)) + as_number(((((slice2shift_search_2_1 / 2048) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_2)) + as_number(((((slice2shift_search_2_1 / 1024) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_3_value_3));
+      slice2cost_pixels_first_2_1_count_4 <= as_number(((((slice2shift_search_2_1 / 4096) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value)) + as_number(((((slice2shift_search_2_1 / 16384) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_2)) + as_number(((((slice2shift_search_2_1 / 8192) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_4_value_3));
+      slice2cost_pixels_first_2_1_count_5 <= as_number(((((slice2shift_search_2_1 / 32768) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value)) + as_number(((((slice2shift_search_2_1 / 131072) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_2)) + as_number(((((slice2shift_search_2_1 / 65536) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_5_value_3));
+      slice2cost_pixels_first_2_1_count_6 <= as_number(((((slice2shift_search_2_1 / 262144) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value)) + as_number(((((slice2shift_search_2_1 / 1048576) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_2)) + as_number(((((slice2shift_search_2_1 / 524288) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_6_value_3));
+      slice2cost_pixels_first_2_1_count_7 <= as_number(((((slice2shift_search_2_1 / 2097152) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value)) + as_number((((slice2shift_search_2_1 / 8388608) = 1) /=
+        ((slice2shift_reference_2 / 8388608) = 1))) + as_number(((((slice2shift_search_2_1 / 4194304) mod 2) = 1) /=
+        slice2cost_pixels_first_2_0_count_7_value_2));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_0 + slice2cost_pixels_first_0_0_count_2 +
         slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_5 + slice2cost_pixels_first_0_0_count_6
         + slice2cost_pixels_first_0_0_count_4 + slice2cost_pixels_first_0_0_count_7 +
@@ -6173,10 +4216,12 @@ begin
         slice2cost_pixels_first_2_1_count_3 + slice2cost_pixels_first_2_1_count_5 + slice2cost_pixels_first_2_1_count_6
         + slice2cost_pixels_first_2_1_count_4 + slice2cost_pixels_first_2_1_count_7 +
         slice2cost_pixels_first_2_1_count_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_0 +
-        slice2cost_pixels_cost_0_0 + slice2cost_pixels_cost_1_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pixels_cost_2_1 +
-        slice2cost_pixels_cost_0_1 + slice2cost_pixels_cost_1_1;
+      slice2cost_pair_0_0 <= slice2cost_pixels_cost_1_0 + slice2cost_pixels_cost_2_0;
+      slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
+      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
+      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -6247,9 +4292,9 @@ begin
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
-      entry_order_falls_choice := not entry_order_falls when slice0_tag_2_valid else entry_order_falls;
       if not entry_order_inside then
-        entry_order_falls <= entry_order_falls_choice when slice0_tag_2_map_column else entry_order_falls;
+        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
+          entry_order_falls;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -6270,94 +4315,72 @@ begin
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
-        forward_path_1_value;
-      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
-      forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
-      forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
-      forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
-      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
-        forward_path_2_value;
-      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
-      forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
-      forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
-      forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
-      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
-        forward_path_3_value;
-      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
-      forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
-      forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
-      forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
-      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
-        forward_path_4_value;
-      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
-      forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
-      forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
-      forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
-      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
-        forward_path_5_value;
-      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
-      forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
-      forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
-      forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
-      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
-        forward_path_6_value;
-      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
-      forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
-      forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
-      forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
-      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
-        forward_path_7_value;
-      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
-      forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
-      forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
-      forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
-      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
-        forward_path_8_value;
-      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
-      forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
-      forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
-      forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
-      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
-        forward_path_9_value;
-      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
-      forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
-      forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
-      forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
-      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
-        forward_path_10_value;
-      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
-      forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
-      forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
-      forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
-      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
-        forward_path_11_value;
-      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
-      forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
-      forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
-      forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
@@ -6372,26 +4395,15 @@ begin
       forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
       forward_decision_0_choice := 2 when forward_far_0 else 1;
       forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value_2 else 0;
-      forward_decision_1_choice_3 := 3 when forward_path_1_value else forward_decision_1_choice_2;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
       forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value_2 else 0;
-      forward_decision_2_choice_3 := 3 when forward_path_2_value else forward_decision_2_choice_2;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
       forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value_2 else 0;
-      forward_decision_3_choice_3 := 3 when forward_path_3_value else forward_decision_3_choice_2;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
       forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value_2 else 0;
-      forward_decision_4_choice_3 := 3 when forward_path_4_value else forward_decision_4_choice_2;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
       forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value_2 else 0;
-      forward_decision_5_choice_3 := 3 when forward_path_5_value else forward_decision_5_choice_2;
-      forward_decision_6_choice := 3 when forward_path_6_value else as_number(forward_path_6_value_2);
-      forward_decision_7_choice := 3 when forward_path_7_value else as_number(forward_path_7_value_2);
-      forward_decision_8_choice := 3 when forward_path_8_value else as_number(forward_path_8_value_2);
-      forward_decision_9_choice := 3 when forward_path_9_value else as_number(forward_path_9_value_2);
-      forward_decision_10_choice := 3 when forward_path_10_value else as_number(forward_path_10_value_2);
-      forward_decision_11_choice := 3 when forward_path_11_value else as_number(forward_path_11_value_2);
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -6419,40 +4431,40 @@ begin
         forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
         forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
         forward_path_0 <= forward_path_0_choice_2;
-        forward_path_1 <= forward_path_1_choice_4;
-        forward_path_2 <= forward_path_2_choice_4;
-        forward_path_3 <= forward_path_3_choice_4;
-        forward_path_4 <= forward_path_4_choice_4;
-        forward_path_5 <= forward_path_5_choice_4;
-        forward_path_6 <= forward_path_6_choice_4;
-        forward_path_7 <= forward_path_7_choice_4;
-        forward_path_8 <= forward_path_8_choice_4;
-        forward_path_9 <= forward_path_9_choice_4;
-        forward_path_10 <= forward_path_10_choice_4;
-        forward_path_11 <= forward_path_11_choice_4;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
         forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
-        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
-        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
-        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
-        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
-        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
-        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
-        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
-        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
-        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
-        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
-        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
         forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_4 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_4 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_4 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_4 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_4 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_4 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_4 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_4 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_4 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_4 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
         forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
         forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
         forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
@@ -6465,40 +4477,36 @@ begin
         forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
         forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
         forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
         forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_all else forward_decision_3_choice_3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_all else forward_decision_4_choice_3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_all else forward_decision_5_choice_3;
-        forward_decision_6 <= as_number(forward_path_6_value_2) when forward_path_6_all else forward_decision_6_choice;
-        forward_decision_7 <= as_number(forward_path_7_value_2) when forward_path_7_all else forward_decision_7_choice;
-        forward_decision_8 <= as_number(forward_path_8_value_2) when forward_path_8_all else forward_decision_8_choice;
-        forward_decision_9 <= as_number(forward_path_9_value_2) when forward_path_9_all else forward_decision_9_choice;
-        forward_decision_10 <= as_number(forward_path_10_value_2) when forward_path_10_all else
-          forward_decision_10_choice;
-        forward_decision_11 <= as_number(forward_path_11_value_2) when forward_path_11_all else
-          forward_decision_11_choice;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
       end if;
-      forward_far_0_any := (not forward_next_first) or (not entry_tag_valid);
-      forward_far_0_choice := forward_far_0_any when forward_dropped_0_value else not entry_tag_valid;
-      forward_far_1_choice := forward_far_0_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_0_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_0_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_0_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_0_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_0 <= forward_far_0_choice when forward_far_0 else forward_dropped_0_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and (not
-        forward_next_first) and entry_tag_valid;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -6515,8 +4523,8 @@ begin
         decisions_ready_decision_11 <= to_integer(decisions_read_words_0(23 downto 22));
         decisions_ready_inside <= entry_tag_map_column;
         decisions_comes_0 <= entry_tag_map_column;
-        decisions_comes_1 <= decisions_comes_0;
-        decisions_comes_2 <= decisions_comes_1;
+        decisions_comes_1 <= decisions_ready_inside;
+        decisions_comes_2 <= last_tags_held_1_map_column;
         decisions_place_0 <= entry_place;
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
@@ -6532,9 +4540,9 @@ begin
       -- last
       if entry_tag_valid then
         last_tags_held_0_end_of_line <= entry_tag_end_of_line;
-        last_tags_held_1_map_column <= decisions_ready_inside;
+        last_tags_held_1_map_column <= decisions_comes_0;
         last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
-        last_tags_held_2_map_column <= last_tags_held_1_map_column;
+        last_tags_held_2_map_column <= decisions_comes_1;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
       last_path_0_2_difference := 256 - forward_path_0;
@@ -6559,12 +4567,12 @@ begin
         last_state <= lastwinner4_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_0_is_less := last_path_0_1 < last_path_0_0;
-      lastwinner1_best_cost_0_1_is_less := last_path_0_3 < last_path_0_2;
-      lastwinner1_best_cost_0_2_is_less := last_path_0_5 < last_path_0_4;
-      lastwinner1_best_cost_0_3_is_less := last_path_0_7 < last_path_0_6;
-      lastwinner1_best_cost_0_4_is_less := last_path_0_9 < last_path_0_8;
-      lastwinner1_best_cost_0_5_is_less := last_path_0_11 < last_path_0_10;
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
       lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
       lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
       lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
@@ -6581,9 +4589,9 @@ begin
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
       -- lastwinner2
-      lastwinner2_best_cost_0_0_is_less := lastwinner1_best_cost_0_1 < lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1_is_less := lastwinner1_best_cost_0_3 < lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2_is_less := lastwinner1_best_cost_0_5 < lastwinner1_best_cost_0_4;
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
       lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
         lastwinner1_best_cost_0_0;
       lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
@@ -6600,7 +4608,7 @@ begin
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
       -- lastwinner3
-      lastwinner3_best_cost_0_0_is_less := lastwinner2_best_cost_0_1 < lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
       lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
         lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
@@ -6611,8 +4619,8 @@ begin
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner3_best_cost_0_1 <
-        lastwinner3_best_cost_0_0 else lastwinner3_best_index_0_0;
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
@@ -6737,7 +4745,7 @@ begin
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
         ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
-      traceback_out_tag_map_column <= last_tags_held_1_map_column;
+      traceback_out_tag_map_column <= decisions_comes_1;
       traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
@@ -6812,14 +4820,14 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
-        raster_features_start_of_frame <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
+        raster_place_next_frame <= false;
         delay_ring_read_address <= 1;
         delay_ring_write_address <= 0;
         delay_column <= 0;
@@ -6861,6 +4869,11 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_map_column <= false;
         slice0cost_tag_output_column <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 26,
-      latency_clocks => 27,
+      latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"c13afa28",
+      core_id => x"c1cb666b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 26,
-      latency_clocks => 27,
+      latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0)
     port map (

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_sad: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pairs a clock.
+-- Stereo core, trellis, configuration tiny_trellis_sad: 40x12, 12 disparities, window 3x3, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
 -- Options: disparities 12, cost sad, cost_shift 6, cost_cap 15, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_sad
@@ -47,14 +47,6 @@ begin
 end entity;
 
 architecture rtl of stereo_core_tiny_trellis_sad is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -80,6 +72,12 @@ architecture rtl of stereo_core_tiny_trellis_sad is
     return 0;
   end function;
 
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
   function as_bit(value : boolean) return std_logic is
   begin
     if value then
@@ -94,7 +92,7 @@ architecture rtl of stereo_core_tiny_trellis_sad is
   signal in_left_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
-  signal raster_features_start_of_frame, raster_features_valid : boolean;
+  signal raster_features_valid, raster_place_next_frame : boolean;
   signal raster_place_column : natural range 0 to 63;
   signal raster_place_group : natural range 0 to 15;
   -- delay
@@ -136,10 +134,6 @@ architecture rtl of stereo_core_tiny_trellis_sad is
   signal slice0cost_difference_1_1, slice0cost_difference_1_2, slice0cost_difference_1_3 : integer range -255 to 255;
   signal slice0cost_difference_1_4, slice0cost_difference_2_0, slice0cost_difference_2_1 : integer range -255 to 255;
   signal slice0cost_difference_2_2, slice0cost_difference_2_3, slice0cost_difference_2_4 : integer range -255 to 255;
-  signal slice0cost_reverse_0_0, slice0cost_reverse_0_1, slice0cost_reverse_0_2 : natural range 0 to 255;
-  signal slice0cost_reverse_0_3, slice0cost_reverse_0_4, slice0cost_single_0_0 : natural range 0 to 255;
-  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 255;
-  signal slice0cost_single_0_4 : natural range 0 to 255;
   signal slice0cost_difference_tag_valid, slice0cost_difference_tag_border_column : boolean;
   signal slice0cost_difference_tag_first_cost, slice0cost_difference_tag_map_column : boolean;
   signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_start_of_frame : boolean;
@@ -152,6 +146,8 @@ architecture rtl of stereo_core_tiny_trellis_sad is
   signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_0_3 : natural range 0 to 511;
   signal slice0cost_pair_0_4 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_0_3, slice0cost_single_0_4 : natural range 0 to 255;
   signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 767;
   signal slice0cost_column_0_3, slice0cost_column_0_4 : natural range 0 to 767;
   -- slice0window
@@ -189,14 +185,12 @@ architecture rtl of stereo_core_tiny_trellis_sad is
   signal slice1cost_difference_1_1, slice1cost_difference_1_2, slice1cost_difference_1_3 : integer range -255 to 255;
   signal slice1cost_difference_1_4, slice1cost_difference_2_0, slice1cost_difference_2_1 : integer range -255 to 255;
   signal slice1cost_difference_2_2, slice1cost_difference_2_3, slice1cost_difference_2_4 : integer range -255 to 255;
-  signal slice1cost_reverse_0_0, slice1cost_reverse_0_1, slice1cost_reverse_0_2 : natural range 0 to 255;
-  signal slice1cost_reverse_0_3, slice1cost_reverse_0_4, slice1cost_single_0_0 : natural range 0 to 255;
-  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 255;
-  signal slice1cost_single_0_4 : natural range 0 to 255;
   signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_0_3 : natural range 0 to 511;
   signal slice1cost_pair_0_4 : natural range 0 to 511;
   signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_0_3 : boolean;
   signal slice1cost_negative_0_4, slice1cost_tag_border_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_0_3, slice1cost_single_0_4 : natural range 0 to 255;
   signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 767;
   signal slice1cost_column_0_3, slice1cost_column_0_4 : natural range 0 to 767;
   -- slice1window
@@ -216,10 +210,9 @@ architecture rtl of stereo_core_tiny_trellis_sad is
   -- slice2cost
   signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
   signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
-  signal slice2cost_reverse_0_0, slice2cost_reverse_0_1, slice2cost_single_0_0 : natural range 0 to 255;
-  signal slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_pair_0_0, slice2cost_pair_0_1 : natural range 0 to 511;
   signal slice2cost_negative_0_0, slice2cost_negative_0_1 : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1 : natural range 0 to 255;
   signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 767;
   -- slice2window
   signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 767;
@@ -340,8 +333,8 @@ begin
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
   disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_start_of_frame <= as_bit(((other_1 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_end_of_line <= as_bit(((other_1 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_start_of_frame <= as_bit(((other_0 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other_0 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
 
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
@@ -377,24 +370,20 @@ begin
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
-    variable raster_place_group_is_equal_3, raster_place_group_choice_2 : boolean;
-    variable raster_features_start_of_frame_choice, raster_features_start_of_frame_choice_2 : boolean;
-    variable delay_row_inside_1_is_less, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
+    variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
+    variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable entry_order_address_all, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, entry_order_falls_choice, forward_path_0_value : boolean;
-    variable forward_path_1_value, forward_path_1_all, forward_path_1_value_2, forward_path_2_value : boolean;
-    variable forward_path_2_all, forward_path_2_value_2, forward_path_3_value, forward_path_3_all : boolean;
-    variable forward_path_3_value_2, forward_path_4_value, forward_path_4_all, forward_path_4_value_2 : boolean;
-    variable forward_path_5_value, forward_path_5_all, forward_path_5_value_2, forward_path_6_value : boolean;
-    variable forward_path_6_all, forward_path_6_value_2, forward_path_7_value, forward_path_7_all : boolean;
-    variable forward_path_7_value_2, forward_path_8_value, forward_path_8_all, forward_path_8_value_2 : boolean;
-    variable forward_path_9_value, forward_path_9_all, forward_path_9_value_2, forward_path_10_value : boolean;
-    variable forward_path_10_all, forward_path_10_value_2, forward_path_11_value, forward_path_11_all : boolean;
-    variable forward_path_11_value_2, forward_dropped_0_value, forward_dropped_1_value : boolean;
-    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
-    variable forward_dropped_5_value, forward_far_0_any, forward_far_0_choice, forward_far_1_choice : boolean;
-    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
-    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
+    variable entry_order_turned_output_column_choice, forward_path_0_value, forward_path_1_any : boolean;
+    variable forward_path_1_value, forward_path_2_any, forward_path_2_value, forward_path_3_any : boolean;
+    variable forward_path_3_value, forward_path_4_any, forward_path_4_value, forward_path_5_any : boolean;
+    variable forward_path_5_value, forward_path_6_any, forward_path_6_value, forward_path_7_any : boolean;
+    variable forward_path_7_value, forward_path_8_any, forward_path_8_value, forward_path_9_any : boolean;
+    variable forward_path_9_value, forward_path_10_any, forward_path_10_value, forward_path_11_any : boolean;
+    variable forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value, forward_dropped_2_value : boolean;
+    variable forward_dropped_3_value, forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any : boolean;
+    variable forward_far_1_choice, forward_far_2_choice, forward_far_3_choice, forward_far_4_choice : boolean;
+    variable forward_far_5_choice, decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
     variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
     variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
     variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
@@ -403,11 +392,7 @@ begin
     variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
     variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
     variable turn_order_address_all_2, turn_order_address_choice, turn_order_turned_output_column_choice : boolean;
-    variable raster_place_group_choice, forward_decision_1_choice_3, forward_decision_2_choice_3 : natural range 0 to 3;
-    variable forward_decision_3_choice_3, forward_decision_4_choice_3 : natural range 0 to 3;
-    variable forward_decision_5_choice_3, forward_decision_6_choice, forward_decision_7_choice : natural range 0 to 3;
-    variable forward_decision_8_choice, forward_decision_9_choice, forward_decision_10_choice : natural range 0 to 3;
-    variable forward_decision_11_choice, traceback_decision_choice, traceback_decision_choice_2 : natural range 0 to 3;
+    variable raster_place_group_choice, traceback_decision_choice, traceback_decision_choice_2 : natural range 0 to 3;
     variable traceback_decision_choice_3, traceback_decision_choice_4 : natural range 0 to 3;
     variable traceback_decision_choice_5, traceback_decision_choice_6 : natural range 0 to 3;
     variable traceback_decision_choice_7, traceback_decision_choice_8 : natural range 0 to 3;
@@ -429,13 +414,6 @@ begin
     variable traceback_decision_choice_39, traceback_decision_choice_40 : natural range 0 to 3;
     variable traceback_decision_choice_41 : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable slice0cost_pair_0_0_choice, slice0cost_pair_0_1_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_2_choice, slice0cost_pair_0_3_choice : natural range 0 to 255;
-    variable slice0cost_pair_0_4_choice, slice1cost_pair_0_0_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_1_choice, slice1cost_pair_0_2_choice : natural range 0 to 255;
-    variable slice1cost_pair_0_3_choice, slice1cost_pair_0_4_choice : natural range 0 to 255;
-    variable slice2cost_pair_0_0_choice, slice2cost_pair_0_1_choice, traceback_state_choice : natural range 0 to 255;
-    variable traceback_state_choice_2, traceback_state_choice_3, fill_out_disparity_0_choice : natural range 0 to 255;
     variable entry_order_address_choice, turn_order_address_choice_2 : natural range 0 to 7;
     variable entry_order_address_choice_2, turn_order_address_choice_4 : natural range 1 to 31;
     variable entry_order_address_choice_3, turn_order_address_choice_3 : natural range 0 to 31;
@@ -445,23 +423,19 @@ begin
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 70;
     variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 70;
     variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
-    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
-    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
-    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
-    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
-    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
-    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
-    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
-    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
-    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
-    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
-    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
-    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
-    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
-    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
-    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
-    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
-    variable forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
     variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
     variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
@@ -471,6 +445,8 @@ begin
     variable traceback_state_sum : natural range 1 to 256;
     variable traceback_state_sum_2 : natural range 3 to 130;
     variable traceback_state_sum_3 : natural range 255 to 510;
+    variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
+    variable fill_out_disparity_0_choice : natural range 0 to 255;
   begin
     if rising_edge(clock) then
       -- raster
@@ -481,7 +457,7 @@ begin
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
       raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
         1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when raster_features_start_of_frame and (raster_place_group = 12) else
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
         (raster_place_group + 1) mod 16;
       raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
         raster_place_group;
@@ -490,33 +466,36 @@ begin
       raster_features_valid <= in_valid;
       raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
         raster_place_group_choice_4;
-      raster_features_start_of_frame_choice := raster_features_start_of_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_features_start_of_frame;
-      raster_features_start_of_frame_choice_2 := raster_features_start_of_frame_choice when
-        raster_place_group_is_equal_3 else raster_features_start_of_frame;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
+        raster_place_next_frame;
       if in_valid then
-        raster_features_start_of_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_features_start_of_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2
-          and in_start_of_frame;
         raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
           mod 64;
+        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
+          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          in_start_of_frame;
       end if;
       -- delay
-      delay_row_inside_1_is_less := ((raster_place_group + 65535) mod 65536) < 12;
+      delay_row_inside_1_is_not_less := raster_place_group >= 1;
+      delay_row_inside_1_is_less := raster_place_group < 13;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2)) < 12;
-      delay_row_inside_1 <= delay_row_inside_1_is_less;
+      delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= delay_row_inside_1_is_less and delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
+        delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
       -- rows
@@ -600,16 +579,6 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_pair_0_0_choice := slice0cost_reverse_0_0 when slice0cost_difference_2_0 < 0 else
-        positive_part(slice0cost_difference_2_0);
-      slice0cost_pair_0_1_choice := slice0cost_reverse_0_1 when slice0cost_difference_2_1 < 0 else
-        positive_part(slice0cost_difference_2_1);
-      slice0cost_pair_0_2_choice := slice0cost_reverse_0_2 when slice0cost_difference_2_2 < 0 else
-        positive_part(slice0cost_difference_2_2);
-      slice0cost_pair_0_3_choice := slice0cost_reverse_0_3 when slice0cost_difference_2_3 < 0 else
-        positive_part(slice0cost_difference_2_3);
-      slice0cost_pair_0_4_choice := slice0cost_reverse_0_4 when slice0cost_difference_2_4 < 0 else
-        positive_part(slice0cost_difference_2_4);
       slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -625,11 +594,6 @@ begin
       slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
       slice0cost_difference_2_3 <= slice0shift_search_2_3 - slice0shift_reference_2;
       slice0cost_difference_2_4 <= slice0shift_search_2_4 - slice0shift_reference_2;
-      slice0cost_reverse_0_0 <= (slice0shift_reference_2 - slice0shift_search_2_0) mod 256;
-      slice0cost_reverse_0_1 <= (slice0shift_reference_2 - slice0shift_search_2_1) mod 256;
-      slice0cost_reverse_0_2 <= (slice0shift_reference_2 - slice0shift_search_2_2) mod 256;
-      slice0cost_reverse_0_3 <= (slice0shift_reference_2 - slice0shift_search_2_3) mod 256;
-      slice0cost_reverse_0_4 <= (slice0shift_reference_2 - slice0shift_search_2_4) mod 256;
       slice0cost_difference_tag_valid <= slice0shift_tag_valid;
       slice0cost_difference_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_difference_tag_first_cost <= slice0shift_tag_first_cost;
@@ -637,26 +601,26 @@ begin
       slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
       slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
       slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
-      slice0cost_pair_0_0 <= slice0cost_pair_0_0_choice + folded(slice0cost_difference_1_0) +
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
         as_number((slice0cost_difference_1_0 < 0));
-      slice0cost_pair_0_1 <= slice0cost_pair_0_1_choice + folded(slice0cost_difference_1_1) +
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
         as_number((slice0cost_difference_1_1 < 0));
-      slice0cost_pair_0_2 <= slice0cost_pair_0_2_choice + folded(slice0cost_difference_1_2) +
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
         as_number((slice0cost_difference_1_2 < 0));
-      slice0cost_pair_0_3 <= slice0cost_pair_0_3_choice + folded(slice0cost_difference_1_3) +
+      slice0cost_pair_0_3 <= folded(slice0cost_difference_2_3) + folded(slice0cost_difference_1_3) +
         as_number((slice0cost_difference_1_3 < 0));
-      slice0cost_pair_0_4 <= slice0cost_pair_0_4_choice + folded(slice0cost_difference_1_4) +
+      slice0cost_pair_0_4 <= folded(slice0cost_difference_2_4) + folded(slice0cost_difference_1_4) +
         as_number((slice0cost_difference_1_4 < 0));
-      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
-      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
-      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
-      slice0cost_single_0_3 <= folded(slice0cost_difference_0_3);
-      slice0cost_single_0_4 <= folded(slice0cost_difference_0_4);
-      slice0cost_negative_0_0 <= slice0cost_difference_0_0 < 0;
-      slice0cost_negative_0_1 <= slice0cost_difference_0_1 < 0;
-      slice0cost_negative_0_2 <= slice0cost_difference_0_2 < 0;
-      slice0cost_negative_0_3 <= slice0cost_difference_0_3 < 0;
-      slice0cost_negative_0_4 <= slice0cost_difference_0_4 < 0;
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_0_3 <= slice0cost_difference_2_3 < 0;
+      slice0cost_negative_0_4 <= slice0cost_difference_2_4 < 0;
+      slice0cost_single_0_0 <= (folded(slice0cost_difference_0_0) + as_number((slice0cost_difference_0_0 < 0))) mod 256;
+      slice0cost_single_0_1 <= (folded(slice0cost_difference_0_1) + as_number((slice0cost_difference_0_1 < 0))) mod 256;
+      slice0cost_single_0_2 <= (folded(slice0cost_difference_0_2) + as_number((slice0cost_difference_0_2 < 0))) mod 256;
+      slice0cost_single_0_3 <= (folded(slice0cost_difference_0_3) + as_number((slice0cost_difference_0_3 < 0))) mod 256;
+      slice0cost_single_0_4 <= (folded(slice0cost_difference_0_4) + as_number((slice0cost_difference_0_4 < 0))) mod 256;
       slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
       slice0cost_pair_tag_border_column <= slice0cost_difference_tag_border_column;
       slice0cost_pair_tag_first_cost <= slice0cost_difference_tag_first_cost;
@@ -769,16 +733,6 @@ begin
       slice1shift_search_out_1 <= slice1shift_search_1_4;
       slice1shift_search_out_2 <= slice1shift_search_2_4;
       -- slice1cost
-      slice1cost_pair_0_0_choice := slice1cost_reverse_0_0 when slice1cost_difference_2_0 < 0 else
-        positive_part(slice1cost_difference_2_0);
-      slice1cost_pair_0_1_choice := slice1cost_reverse_0_1 when slice1cost_difference_2_1 < 0 else
-        positive_part(slice1cost_difference_2_1);
-      slice1cost_pair_0_2_choice := slice1cost_reverse_0_2 when slice1cost_difference_2_2 < 0 else
-        positive_part(slice1cost_difference_2_2);
-      slice1cost_pair_0_3_choice := slice1cost_reverse_0_3 when slice1cost_difference_2_3 < 0 else
-        positive_part(slice1cost_difference_2_3);
-      slice1cost_pair_0_4_choice := slice1cost_reverse_0_4 when slice1cost_difference_2_4 < 0 else
-        positive_part(slice1cost_difference_2_4);
       slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -794,31 +748,26 @@ begin
       slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
       slice1cost_difference_2_3 <= slice1shift_search_2_3 - slice1shift_reference_2;
       slice1cost_difference_2_4 <= slice1shift_search_2_4 - slice1shift_reference_2;
-      slice1cost_reverse_0_0 <= (slice1shift_reference_2 - slice1shift_search_2_0) mod 256;
-      slice1cost_reverse_0_1 <= (slice1shift_reference_2 - slice1shift_search_2_1) mod 256;
-      slice1cost_reverse_0_2 <= (slice1shift_reference_2 - slice1shift_search_2_2) mod 256;
-      slice1cost_reverse_0_3 <= (slice1shift_reference_2 - slice1shift_search_2_3) mod 256;
-      slice1cost_reverse_0_4 <= (slice1shift_reference_2 - slice1shift_search_2_4) mod 256;
-      slice1cost_pair_0_0 <= slice1cost_pair_0_0_choice + folded(slice1cost_difference_1_0) +
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
         as_number((slice1cost_difference_1_0 < 0));
-      slice1cost_pair_0_1 <= slice1cost_pair_0_1_choice + folded(slice1cost_difference_1_1) +
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
         as_number((slice1cost_difference_1_1 < 0));
-      slice1cost_pair_0_2 <= slice1cost_pair_0_2_choice + folded(slice1cost_difference_1_2) +
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
         as_number((slice1cost_difference_1_2 < 0));
-      slice1cost_pair_0_3 <= slice1cost_pair_0_3_choice + folded(slice1cost_difference_1_3) +
+      slice1cost_pair_0_3 <= folded(slice1cost_difference_2_3) + folded(slice1cost_difference_1_3) +
         as_number((slice1cost_difference_1_3 < 0));
-      slice1cost_pair_0_4 <= slice1cost_pair_0_4_choice + folded(slice1cost_difference_1_4) +
+      slice1cost_pair_0_4 <= folded(slice1cost_difference_2_4) + folded(slice1cost_difference_1_4) +
         as_number((slice1cost_difference_1_4 < 0));
-      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
-      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
-      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
-      slice1cost_single_0_3 <= folded(slice1cost_difference_0_3);
-      slice1cost_single_0_4 <= folded(slice1cost_difference_0_4);
-      slice1cost_negative_0_0 <= slice1cost_difference_0_0 < 0;
-      slice1cost_negative_0_1 <= slice1cost_difference_0_1 < 0;
-      slice1cost_negative_0_2 <= slice1cost_difference_0_2 < 0;
-      slice1cost_negative_0_3 <= slice1cost_difference_0_3 < 0;
-      slice1cost_negative_0_4 <= slice1cost_difference_0_4 < 0;
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_0_3 <= slice1cost_difference_2_3 < 0;
+      slice1cost_negative_0_4 <= slice1cost_difference_2_4 < 0;
+      slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
+      slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
+      slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
+      slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
+      slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
       slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
         slice1cost_pair_0_0 + slice1cost_single_0_0;
       slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
@@ -872,26 +821,20 @@ begin
       slice2shift_reference_1 <= slice1shift_reference_1;
       slice2shift_reference_2 <= slice1shift_reference_2;
       -- slice2cost
-      slice2cost_pair_0_0_choice := slice2cost_reverse_0_0 when slice2cost_difference_2_0 < 0 else
-        positive_part(slice2cost_difference_2_0);
-      slice2cost_pair_0_1_choice := slice2cost_reverse_0_1 when slice2cost_difference_2_1 < 0 else
-        positive_part(slice2cost_difference_2_1);
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
       slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
       slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
       slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
-      slice2cost_reverse_0_0 <= (slice2shift_reference_2 - slice2shift_search_2_0) mod 256;
-      slice2cost_reverse_0_1 <= (slice2shift_reference_2 - slice2shift_search_2_1) mod 256;
-      slice2cost_pair_0_0 <= slice2cost_pair_0_0_choice + folded(slice2cost_difference_1_0) +
-        as_number((slice2cost_difference_1_0 < 0));
-      slice2cost_pair_0_1 <= slice2cost_pair_0_1_choice + folded(slice2cost_difference_1_1) +
-        as_number((slice2cost_difference_1_1 < 0));
-      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
-      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
-      slice2cost_negative_0_0 <= slice2cost_difference_0_0 < 0;
-      slice2cost_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
+      slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
         slice2cost_pair_0_0 + slice2cost_single_0_0;
       slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
@@ -966,9 +909,9 @@ begin
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
-      entry_order_falls_choice := entry_order_inside when entry_order_falls else not entry_order_inside;
       if slice0_tag_2_map_column then
-        entry_order_falls <= entry_order_falls_choice when slice0_tag_2_valid else entry_order_falls;
+        entry_order_falls <= entry_order_falls /= (not entry_order_inside) when slice0_tag_2_valid else
+          entry_order_falls;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -989,94 +932,72 @@ begin
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
-        forward_path_1_value;
-      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
-      forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
-      forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
-      forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
-      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
-        forward_path_2_value;
-      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
-      forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
-      forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
-      forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
-      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
-        forward_path_3_value;
-      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
-      forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
-      forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
-      forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
-      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
-        forward_path_4_value;
-      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
-      forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
-      forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
-      forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
-      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
-        forward_path_5_value;
-      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
-      forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
-      forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
-      forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
-      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
-        forward_path_6_value;
-      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
-      forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
-      forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
-      forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
-      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
-        forward_path_7_value;
-      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
-      forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
-      forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
-      forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
-      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
-        forward_path_8_value;
-      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
-      forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
-      forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
-      forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
-      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
-        forward_path_9_value;
-      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
-      forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
-      forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
-      forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
-      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
-        forward_path_10_value;
-      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
-      forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
-      forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
-      forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
-      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
-        forward_path_11_value;
-      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
-      forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
-      forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
-      forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
@@ -1091,26 +1012,15 @@ begin
       forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
       forward_decision_0_choice := 2 when forward_far_0 else 1;
       forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value_2 else 0;
-      forward_decision_1_choice_3 := 3 when forward_path_1_value else forward_decision_1_choice_2;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
       forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value_2 else 0;
-      forward_decision_2_choice_3 := 3 when forward_path_2_value else forward_decision_2_choice_2;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
       forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value_2 else 0;
-      forward_decision_3_choice_3 := 3 when forward_path_3_value else forward_decision_3_choice_2;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
       forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value_2 else 0;
-      forward_decision_4_choice_3 := 3 when forward_path_4_value else forward_decision_4_choice_2;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
       forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value_2 else 0;
-      forward_decision_5_choice_3 := 3 when forward_path_5_value else forward_decision_5_choice_2;
-      forward_decision_6_choice := 3 when forward_path_6_value else as_number(forward_path_6_value_2);
-      forward_decision_7_choice := 3 when forward_path_7_value else as_number(forward_path_7_value_2);
-      forward_decision_8_choice := 3 when forward_path_8_value else as_number(forward_path_8_value_2);
-      forward_decision_9_choice := 3 when forward_path_9_value else as_number(forward_path_9_value_2);
-      forward_decision_10_choice := 3 when forward_path_10_value else as_number(forward_path_10_value_2);
-      forward_decision_11_choice := 3 when forward_path_11_value else as_number(forward_path_11_value_2);
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -1138,40 +1048,40 @@ begin
         forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
         forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
         forward_path_0 <= forward_path_0_choice_2;
-        forward_path_1 <= forward_path_1_choice_4;
-        forward_path_2 <= forward_path_2_choice_4;
-        forward_path_3 <= forward_path_3_choice_4;
-        forward_path_4 <= forward_path_4_choice_4;
-        forward_path_5 <= forward_path_5_choice_4;
-        forward_path_6 <= forward_path_6_choice_4;
-        forward_path_7 <= forward_path_7_choice_4;
-        forward_path_8 <= forward_path_8_choice_4;
-        forward_path_9 <= forward_path_9_choice_4;
-        forward_path_10 <= forward_path_10_choice_4;
-        forward_path_11 <= forward_path_11_choice_4;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
         forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
-        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
-        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
-        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
-        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
-        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
-        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
-        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
-        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
-        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
-        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
-        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
         forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_4 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_4 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_4 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_4 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_4 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_4 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_4 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_4 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_4 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_4 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
         forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
         forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
         forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
@@ -1184,40 +1094,36 @@ begin
         forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
         forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
         forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
         forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_all else forward_decision_3_choice_3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_all else forward_decision_4_choice_3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_all else forward_decision_5_choice_3;
-        forward_decision_6 <= as_number(forward_path_6_value_2) when forward_path_6_all else forward_decision_6_choice;
-        forward_decision_7 <= as_number(forward_path_7_value_2) when forward_path_7_all else forward_decision_7_choice;
-        forward_decision_8 <= as_number(forward_path_8_value_2) when forward_path_8_all else forward_decision_8_choice;
-        forward_decision_9 <= as_number(forward_path_9_value_2) when forward_path_9_all else forward_decision_9_choice;
-        forward_decision_10 <= as_number(forward_path_10_value_2) when forward_path_10_all else
-          forward_decision_10_choice;
-        forward_decision_11 <= as_number(forward_path_11_value_2) when forward_path_11_all else
-          forward_decision_11_choice;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
       end if;
-      forward_far_0_any := (not forward_next_first) or (not entry_tag_valid);
-      forward_far_0_choice := forward_far_0_any when forward_dropped_0_value else not entry_tag_valid;
-      forward_far_1_choice := forward_far_0_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_0_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_0_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_0_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_0_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_0 <= forward_far_0_choice when forward_far_0 else forward_dropped_0_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and (not
-        forward_next_first) and entry_tag_valid;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -1235,7 +1141,7 @@ begin
         decisions_ready_inside <= entry_tag_map_column;
         decisions_comes_0 <= entry_tag_map_column;
         decisions_comes_1 <= decisions_ready_inside;
-        decisions_comes_2 <= decisions_comes_1;
+        decisions_comes_2 <= last_tags_held_1_map_column;
         decisions_place_0 <= entry_place;
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
@@ -1253,7 +1159,7 @@ begin
         last_tags_held_0_end_of_line <= entry_tag_end_of_line;
         last_tags_held_1_map_column <= decisions_comes_0;
         last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
-        last_tags_held_2_map_column <= last_tags_held_1_map_column;
+        last_tags_held_2_map_column <= decisions_comes_1;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
       last_path_0_2_difference := 256 - forward_path_0;
@@ -1278,12 +1184,12 @@ begin
         last_state <= lastwinner4_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_0_is_less := last_path_0_1 < last_path_0_0;
-      lastwinner1_best_cost_0_1_is_less := last_path_0_3 < last_path_0_2;
-      lastwinner1_best_cost_0_2_is_less := last_path_0_5 < last_path_0_4;
-      lastwinner1_best_cost_0_3_is_less := last_path_0_7 < last_path_0_6;
-      lastwinner1_best_cost_0_4_is_less := last_path_0_9 < last_path_0_8;
-      lastwinner1_best_cost_0_5_is_less := last_path_0_11 < last_path_0_10;
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
       lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
       lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
       lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
@@ -1300,9 +1206,9 @@ begin
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
       -- lastwinner2
-      lastwinner2_best_cost_0_0_is_less := lastwinner1_best_cost_0_1 < lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1_is_less := lastwinner1_best_cost_0_3 < lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2_is_less := lastwinner1_best_cost_0_5 < lastwinner1_best_cost_0_4;
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
       lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
         lastwinner1_best_cost_0_0;
       lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
@@ -1319,7 +1225,7 @@ begin
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
       -- lastwinner3
-      lastwinner3_best_cost_0_0_is_less := lastwinner2_best_cost_0_1 < lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
       lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
         lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
@@ -1330,8 +1236,8 @@ begin
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner3_best_cost_0_1 <
-        lastwinner3_best_cost_0_0 else lastwinner3_best_index_0_0;
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
@@ -1444,10 +1350,10 @@ begin
       traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
         traceback_decision_choice_40;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_ready_inside else last_state;
-        traceback_decision <= traceback_decision_choice_41 when decisions_ready_inside else 0;
+        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
+        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
         traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_ready_inside and traceback_state_is_equal_3 else 0;
+          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
@@ -1456,7 +1362,7 @@ begin
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
         ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
-      traceback_out_tag_map_column <= last_tags_held_1_map_column;
+      traceback_out_tag_map_column <= decisions_comes_1;
       traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
@@ -1514,16 +1420,16 @@ begin
       fill_out_tag_output_column <= turn_ready_tag_output_column;
       -- other
       other_0 <= other_3;
-      other_1 <= other_0;
-      other_2 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
+      other_1 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
         traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
         turn_order_complete));
+      other_2 <= other_1;
       other_3 <= other_2;
       if reset = '1' then
-        raster_features_start_of_frame <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 13;
+        raster_place_next_frame <= false;
         delay_column <= 0;
         delay_tag_valid <= false;
         delay_tag_map_column <= false;

@@ -1,5 +1,5 @@
 -- SPDX-License-Identifier: Apache-2.0
--- Stereo core, trellis, configuration tiny_trellis_w1: 40x12, 12 disparities, window 1x1, drop 4 or by 6, occlusion 7, 1 pixel pairs a clock.
+-- Stereo core, trellis, configuration tiny_trellis_w1: 40x12, 12 disparities, window 1x1, drop 4 or by 6, occlusion 7, 1 pixel pair a clock.
 -- Options: disparities 12, window_px 1, census_width_px 9, cost_shift 2, slice_disparities 5.
 -- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
 --   scripts/synthesize.py --config tiny_trellis_w1
@@ -17,7 +17,7 @@ entity stereo_core_tiny_trellis_w1 is
     pixels_per_clock : positive := 1;
     disparity_bits : positive := 8;
     output_width_px : positive := 29;
-    latency_clocks : positive := 25;
+    latency_clocks : positive := 26;
     flush_groups : positive := 165;
     gap_groups : natural := 0
   );
@@ -41,20 +41,12 @@ begin
   assert pixels_per_clock = 1 report "stereo_core_tiny_trellis_w1: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
   assert disparity_bits = 8 report "stereo_core_tiny_trellis_w1: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
   assert output_width_px = 29 report "stereo_core_tiny_trellis_w1: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
-  assert latency_clocks = 25 report "stereo_core_tiny_trellis_w1: latency_clocks is " & integer'image(latency_clocks) & " but this core has 25" severity failure;
+  assert latency_clocks = 26 report "stereo_core_tiny_trellis_w1: latency_clocks is " & integer'image(latency_clocks) & " but this core has 26" severity failure;
   assert flush_groups = 165 report "stereo_core_tiny_trellis_w1: flush_groups is " & integer'image(flush_groups) & " but this core has 165" severity failure;
   assert gap_groups = 0 report "stereo_core_tiny_trellis_w1: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
 end entity;
 
 architecture rtl of stereo_core_tiny_trellis_w1 is
-  function magnitude(value : integer) return natural is
-  begin
-    if value < 0 then
-      return -value;
-    end if;
-    return value;
-  end function;
-
   -- the complement of a negative number: its magnitude less 1
   function folded(value : integer) return natural is
   begin
@@ -78,6 +70,12 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
       return 1;
     end if;
     return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
   end function;
 
   function as_bit(value : boolean) return std_logic is
@@ -162,12 +160,12 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
   signal transform_columns_column_inside_4, transform_columns_column_inside_5 : boolean;
   signal transform_columns_column_inside_6, transform_columns_column_inside_7 : boolean;
   signal transform_columns_column_inside_8, transform_columns_start_of_frame, transform_columns_valid : boolean;
-  signal transform_filtering_column_inside_0, transform_filtering_column_inside_1 : boolean;
-  signal transform_filtering_column_inside_2, transform_filtering_column_inside_3 : boolean;
-  signal transform_filtering_column_inside_4, transform_filtering_column_inside_5 : boolean;
-  signal transform_filtering_column_inside_6, transform_filtering_column_inside_7 : boolean;
-  signal transform_filtering_column_inside_8, transform_filtering_start_of_frame, transform_filtering_valid : boolean;
-  signal transform_filtered_start_of_frame, transform_filtered_valid : boolean;
+  signal transform_filtering_0_column_inside_0, transform_filtering_0_column_inside_1 : boolean;
+  signal transform_filtering_0_column_inside_2, transform_filtering_0_column_inside_3 : boolean;
+  signal transform_filtering_0_column_inside_4, transform_filtering_0_column_inside_5 : boolean;
+  signal transform_filtering_0_column_inside_6, transform_filtering_0_column_inside_7 : boolean;
+  signal transform_filtering_0_column_inside_8, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_start_of_frame, transform_filtering_1_valid : boolean;
   signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
   signal transform_write_column : natural range 0 to 63;
   signal transform_counter_group : natural range 0 to 15;
@@ -240,11 +238,16 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
   signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
   signal slice0cost_pixels_tag_border_column, slice0cost_pixels_tag_first_cost : boolean;
   signal slice0cost_pixels_tag_map_column, slice0cost_pixels_tag_output_column : boolean;
-  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_tag_valid : boolean;
-  signal slice0cost_tag_border_column, slice0cost_tag_first_cost, slice0cost_tag_map_column : boolean;
-  signal slice0cost_tag_output_column, slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_tag_start_of_frame, slice0cost_pixels_tag_end_of_line, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_border_column, slice0cost_pair_tag_first_cost, slice0cost_pair_tag_map_column : boolean;
+  signal slice0cost_pair_tag_output_column, slice0cost_pair_tag_start_of_frame : boolean;
+  signal slice0cost_pair_tag_end_of_line, slice0cost_tag_valid, slice0cost_tag_border_column : boolean;
+  signal slice0cost_tag_first_cost, slice0cost_tag_map_column, slice0cost_tag_output_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
   signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 44;
-  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4 : natural range 0 to 44;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_single_0_0 : natural range 0 to 44;
+  signal slice0cost_single_0_1, slice0cost_single_0_2, slice0cost_single_0_3 : natural range 0 to 44;
+  signal slice0cost_single_0_4 : natural range 0 to 44;
   -- slice0window
   signal slice0window_tag_valid, slice0window_tag_border_column, slice0window_tag_first_cost : boolean;
   signal slice0window_tag_map_column, slice0window_tag_output_column, slice0window_tag_start_of_frame : boolean;
@@ -302,7 +305,9 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
   signal slice1cost_pixels_first_0_2_count_14, slice1cost_pixels_first_0_3_count_14 : natural range 0 to 2;
   signal slice1cost_pixels_first_0_4_count_14 : natural range 0 to 2;
   signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 44;
-  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4 : natural range 0 to 44;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_single_0_0 : natural range 0 to 44;
+  signal slice1cost_single_0_1, slice1cost_single_0_2, slice1cost_single_0_3 : natural range 0 to 44;
+  signal slice1cost_single_0_4 : natural range 0 to 44;
   -- slice1
   signal slice1_held_0_0, slice1_held_0_1, slice1_held_0_2, slice1_held_0_3, slice1_held_0_4 : natural range 0 to 11;
   signal slice1_held_1_0, slice1_held_1_1, slice1_held_1_2, slice1_held_1_3, slice1_held_1_4 : natural range 0 to 11;
@@ -324,7 +329,8 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
   signal slice2cost_pixels_first_0_1_count_10, slice2cost_pixels_first_0_1_count_11 : natural range 0 to 3;
   signal slice2cost_pixels_first_0_1_count_12, slice2cost_pixels_first_0_1_count_13 : natural range 0 to 3;
   signal slice2cost_pixels_first_0_0_count_14, slice2cost_pixels_first_0_1_count_14 : natural range 0 to 2;
-  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1 : natural range 0 to 44;
+  signal slice2cost_pixels_cost_0_0, slice2cost_pixels_cost_0_1, slice2cost_single_0_0 : natural range 0 to 44;
+  signal slice2cost_single_0_1 : natural range 0 to 44;
   -- slice2
   signal slice2_held_0_0, slice2_held_0_1 : natural range 0 to 11;
   -- entry
@@ -483,11 +489,10 @@ begin
     variable transform_counter_group_all, transform_counter_group_is_equal_3 : boolean;
     variable transform_read_column_inside_0_value, transform_read_column_inside_0_value_2 : boolean;
     variable transform_read_column_inside_0_value_3, transform_read_column_inside_1_differs : boolean;
-    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_2_choice : boolean;
-    variable transform_read_column_inside_3_value, transform_read_column_inside_5_is_equal : boolean;
-    variable transform_read_column_inside_5_choice, transform_read_column_inside_5_choice_2 : boolean;
-    variable transform_read_column_inside_5_is_equal_2, transform_read_column_inside_5_choice_3 : boolean;
-    variable transform_read_column_inside_6_choice, transform_read_column_inside_6_choice_2 : boolean;
+    variable transform_read_column_inside_2_is_equal, transform_read_column_inside_3_value : boolean;
+    variable transform_read_column_inside_5_is_equal, transform_read_column_inside_5_choice : boolean;
+    variable transform_read_column_inside_5_choice_2, transform_read_column_inside_5_is_equal_2 : boolean;
+    variable transform_read_column_inside_5_choice_3, transform_read_column_inside_6_choice : boolean;
     variable transform_read_column_inside_7_choice, transform_left_filter_feature_0_value : boolean;
     variable transform_left_filter_feature_0_any, transform_left_filter_feature_0_choice : boolean;
     variable transform_left_filter_feature_0_is_equal, transform_left_filter_feature_0_choice_2 : boolean;
@@ -854,395 +859,79 @@ begin
     variable transform_right_filter_feature_0_value_10, transform_right_filter_feature_0_choice_350 : boolean;
     variable transform_right_filter_feature_0_value_11, transform_right_filter_feature_0_choice_351 : boolean;
     variable transform_right_filter_feature_0_choice_352, transform_counter_next_frame_choice : boolean;
-    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_less : boolean;
+    variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_map_column_all : boolean;
     variable slice0cost_pixels_first_0_0_count_0_value, slice0cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_choice, slice0cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_0_value_4, slice0cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice0cost_pixels_first_0_0_count_1_value, slice0cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice, slice0cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_4, slice0cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_value_5, slice0cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_1_choice_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_value_3, slice0cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_2_choice_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_3, slice0cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_choice_2, slice0cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_3_value_6, slice0cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_1_value_3, slice0cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_2_value_2, slice0cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_3_value_2, slice0cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_4_value, slice0cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice, slice0cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_4, slice0cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_value_5, slice0cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_4_choice_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_3, slice0cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_choice_2, slice0cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_5_value_6, slice0cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_4_value_3, slice0cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_5_value_2, slice0cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_6_value, slice0cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice, slice0cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_4, slice0cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_value_5, slice0cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_6_choice_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_3, slice0cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_choice_2, slice0cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_7_value_6, slice0cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_6_value_3, slice0cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_7_value_2, slice0cost_pixels_first_0_0_count_7_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_8_value, slice0cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice, slice0cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_4, slice0cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_value_5, slice0cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_8_choice_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_3, slice0cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_choice_2, slice0cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_9_value_6, slice0cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_8_value_3, slice0cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_9_value_2, slice0cost_pixels_first_0_0_count_9_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_10_value, slice0cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice, slice0cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_4, slice0cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_value_5, slice0cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_10_choice_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_3, slice0cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_choice_2, slice0cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_11_value_6, slice0cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_10_value_3, slice0cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_11_value_2, slice0cost_pixels_first_0_0_count_11_value_3 : boolean;
     variable slice0cost_pixels_first_0_0_count_12_value, slice0cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice, slice0cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_4, slice0cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_value_5, slice0cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice0cost_pixels_first_0_0_count_12_choice_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_3, slice0cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_choice_2, slice0cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice0cost_pixels_first_0_0_count_13_value_6, slice0cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_choice, slice0cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice0cost_pixels_first_0_0_count_14_value_2, slice0cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_0_choice, slice0cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice, slice0cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_1_choice_3, slice0cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_2_choice_2, slice0cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_3_choice_2, slice0cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice, slice0cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_4_choice_3, slice0cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_5_choice_2, slice0cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice, slice0cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_6_choice_3, slice0cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_7_choice_2, slice0cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice, slice0cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_8_choice_3, slice0cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_9_choice_2, slice0cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice, slice0cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_10_choice_3, slice0cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_11_choice_2, slice0cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice, slice0cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_1_count_12_choice_3, slice0cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_1_count_13_choice_2, slice0cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_1_count_14_choice, slice0cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_0_choice, slice0cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice, slice0cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_1_choice_3, slice0cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_2_choice_2, slice0cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_3_choice_2, slice0cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice, slice0cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_4_choice_3, slice0cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_5_choice_2, slice0cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice, slice0cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_6_choice_3, slice0cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_7_choice_2, slice0cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice, slice0cost_pixels_first_0_2_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_8_choice_3, slice0cost_pixels_first_0_2_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_9_choice_2, slice0cost_pixels_first_0_2_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice, slice0cost_pixels_first_0_2_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_10_choice_3, slice0cost_pixels_first_0_2_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_11_choice_2, slice0cost_pixels_first_0_2_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice, slice0cost_pixels_first_0_2_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_2_count_12_choice_3, slice0cost_pixels_first_0_2_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_2_count_13_choice_2, slice0cost_pixels_first_0_2_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_2_count_14_choice, slice0cost_pixels_first_0_2_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_0_choice, slice0cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice, slice0cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_1_choice_3, slice0cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_2_choice_2, slice0cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_3_choice_2, slice0cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice, slice0cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_4_choice_3, slice0cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_5_choice_2, slice0cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice, slice0cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_6_choice_3, slice0cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_7_choice_2, slice0cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice, slice0cost_pixels_first_0_3_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_8_choice_3, slice0cost_pixels_first_0_3_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_9_choice_2, slice0cost_pixels_first_0_3_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice, slice0cost_pixels_first_0_3_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_10_choice_3, slice0cost_pixels_first_0_3_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_11_choice_2, slice0cost_pixels_first_0_3_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice, slice0cost_pixels_first_0_3_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_3_count_12_choice_3, slice0cost_pixels_first_0_3_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_3_count_13_choice_2, slice0cost_pixels_first_0_3_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_3_count_14_choice, slice0cost_pixels_first_0_3_count_14_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_0_choice, slice0cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice, slice0cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_1_choice_3, slice0cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_2_choice_2, slice0cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_3_choice_2, slice0cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice, slice0cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_4_choice_3, slice0cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_5_choice_2, slice0cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice, slice0cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_6_choice_3, slice0cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_7_choice_2, slice0cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice, slice0cost_pixels_first_0_4_count_8_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_8_choice_3, slice0cost_pixels_first_0_4_count_9_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_9_choice_2, slice0cost_pixels_first_0_4_count_9_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice, slice0cost_pixels_first_0_4_count_10_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_10_choice_3, slice0cost_pixels_first_0_4_count_11_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_11_choice_2, slice0cost_pixels_first_0_4_count_11_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice, slice0cost_pixels_first_0_4_count_12_choice_2 : boolean;
-    variable slice0cost_pixels_first_0_4_count_12_choice_3, slice0cost_pixels_first_0_4_count_13_choice : boolean;
-    variable slice0cost_pixels_first_0_4_count_13_choice_2, slice0cost_pixels_first_0_4_count_13_choice_3 : boolean;
-    variable slice0cost_pixels_first_0_4_count_14_choice, slice0cost_pixels_first_0_4_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value, slice1cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_choice, slice1cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_0_value_4, slice1cost_pixels_first_0_0_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value, slice1cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_4, slice1cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_value_5, slice1cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_1_choice_3, slice1cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_2, slice1cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_value_3, slice1cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_2_choice_2, slice1cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_2, slice1cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_choice_2, slice1cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_3_value_6, slice1cost_pixels_first_0_0_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value, slice1cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_4, slice1cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_value_5, slice1cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_4_choice_3, slice1cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_2, slice1cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_choice_2, slice1cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_5_value_6, slice1cost_pixels_first_0_0_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value, slice1cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_4, slice1cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_value_5, slice1cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_6_choice_3, slice1cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_2, slice1cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_choice_2, slice1cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_7_value_6, slice1cost_pixels_first_0_0_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value, slice1cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_choice, slice1cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value_4, slice1cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_value_5, slice1cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_8_choice_3, slice1cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_2, slice1cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_3, slice1cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_choice_2, slice1cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_9_value_6, slice1cost_pixels_first_0_0_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value, slice1cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_choice, slice1cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value_4, slice1cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_value_5, slice1cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_10_choice_3, slice1cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_2, slice1cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_3, slice1cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_choice_2, slice1cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_11_value_6, slice1cost_pixels_first_0_0_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value, slice1cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_choice, slice1cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value_4, slice1cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_value_5, slice1cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice1cost_pixels_first_0_0_count_12_choice_3, slice1cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_2, slice1cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_3, slice1cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_choice_2, slice1cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice1cost_pixels_first_0_0_count_13_value_6, slice1cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_0_count_14_choice, slice1cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice1cost_pixels_first_0_0_count_14_value_2, slice1cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_0_choice, slice1cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice, slice1cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_1_choice_3, slice1cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_2_choice_2, slice1cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_3_choice_2, slice1cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice, slice1cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_4_choice_3, slice1cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_5_choice_2, slice1cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice, slice1cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_6_choice_3, slice1cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_7_choice_2, slice1cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_8_choice, slice1cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_8_choice_3, slice1cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_9_choice_2, slice1cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_10_choice, slice1cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_10_choice_3, slice1cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_11_choice_2, slice1cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_12_choice, slice1cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_1_count_12_choice_3, slice1cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_1_count_13_choice_2, slice1cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_1_count_14_choice, slice1cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_0_choice, slice1cost_pixels_first_0_2_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice, slice1cost_pixels_first_0_2_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_1_choice_3, slice1cost_pixels_first_0_2_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_2_choice_2, slice1cost_pixels_first_0_2_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_3_choice_2, slice1cost_pixels_first_0_2_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice, slice1cost_pixels_first_0_2_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_4_choice_3, slice1cost_pixels_first_0_2_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_5_choice_2, slice1cost_pixels_first_0_2_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice, slice1cost_pixels_first_0_2_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_6_choice_3, slice1cost_pixels_first_0_2_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_7_choice_2, slice1cost_pixels_first_0_2_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_8_choice, slice1cost_pixels_first_0_2_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_8_choice_3, slice1cost_pixels_first_0_2_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_9_choice_2, slice1cost_pixels_first_0_2_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_10_choice, slice1cost_pixels_first_0_2_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_10_choice_3, slice1cost_pixels_first_0_2_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_11_choice_2, slice1cost_pixels_first_0_2_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_12_choice, slice1cost_pixels_first_0_2_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_2_count_12_choice_3, slice1cost_pixels_first_0_2_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_2_count_13_choice_2, slice1cost_pixels_first_0_2_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_2_count_14_choice, slice1cost_pixels_first_0_2_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_0_choice, slice1cost_pixels_first_0_3_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice, slice1cost_pixels_first_0_3_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_1_choice_3, slice1cost_pixels_first_0_3_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_2_choice_2, slice1cost_pixels_first_0_3_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_3_choice_2, slice1cost_pixels_first_0_3_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice, slice1cost_pixels_first_0_3_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_4_choice_3, slice1cost_pixels_first_0_3_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_5_choice_2, slice1cost_pixels_first_0_3_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice, slice1cost_pixels_first_0_3_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_6_choice_3, slice1cost_pixels_first_0_3_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_7_choice_2, slice1cost_pixels_first_0_3_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_8_choice, slice1cost_pixels_first_0_3_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_8_choice_3, slice1cost_pixels_first_0_3_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_9_choice_2, slice1cost_pixels_first_0_3_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_10_choice, slice1cost_pixels_first_0_3_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_10_choice_3, slice1cost_pixels_first_0_3_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_11_choice_2, slice1cost_pixels_first_0_3_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_12_choice, slice1cost_pixels_first_0_3_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_3_count_12_choice_3, slice1cost_pixels_first_0_3_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_3_count_13_choice_2, slice1cost_pixels_first_0_3_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_3_count_14_choice, slice1cost_pixels_first_0_3_count_14_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_0_choice, slice1cost_pixels_first_0_4_count_0_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice, slice1cost_pixels_first_0_4_count_1_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_1_choice_3, slice1cost_pixels_first_0_4_count_2_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_2_choice_2, slice1cost_pixels_first_0_4_count_3_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_3_choice_2, slice1cost_pixels_first_0_4_count_3_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice, slice1cost_pixels_first_0_4_count_4_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_4_choice_3, slice1cost_pixels_first_0_4_count_5_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_5_choice_2, slice1cost_pixels_first_0_4_count_5_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice, slice1cost_pixels_first_0_4_count_6_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_6_choice_3, slice1cost_pixels_first_0_4_count_7_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_7_choice_2, slice1cost_pixels_first_0_4_count_7_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_8_choice, slice1cost_pixels_first_0_4_count_8_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_8_choice_3, slice1cost_pixels_first_0_4_count_9_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_9_choice_2, slice1cost_pixels_first_0_4_count_9_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_10_choice, slice1cost_pixels_first_0_4_count_10_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_10_choice_3, slice1cost_pixels_first_0_4_count_11_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_11_choice_2, slice1cost_pixels_first_0_4_count_11_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_12_choice, slice1cost_pixels_first_0_4_count_12_choice_2 : boolean;
-    variable slice1cost_pixels_first_0_4_count_12_choice_3, slice1cost_pixels_first_0_4_count_13_choice : boolean;
-    variable slice1cost_pixels_first_0_4_count_13_choice_2, slice1cost_pixels_first_0_4_count_13_choice_3 : boolean;
-    variable slice1cost_pixels_first_0_4_count_14_choice, slice1cost_pixels_first_0_4_count_14_choice_2 : boolean;
+    variable slice0cost_pixels_first_0_0_count_12_value_3, slice0cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice0cost_pixels_first_0_0_count_13_value_2, slice0cost_pixels_first_0_0_count_13_value_3 : boolean;
+    variable slice0cost_pixels_first_0_0_count_14_value, slice1cost_pixels_first_0_0_count_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_0_value_2, slice1cost_pixels_first_0_0_count_1_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_1_value_2, slice1cost_pixels_first_0_0_count_1_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_2_value, slice1cost_pixels_first_0_0_count_2_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value, slice1cost_pixels_first_0_0_count_3_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_3_value_3, slice1cost_pixels_first_0_0_count_4_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_4_value_2, slice1cost_pixels_first_0_0_count_4_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value, slice1cost_pixels_first_0_0_count_5_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_5_value_3, slice1cost_pixels_first_0_0_count_6_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_6_value_2, slice1cost_pixels_first_0_0_count_6_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value, slice1cost_pixels_first_0_0_count_7_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_7_value_3, slice1cost_pixels_first_0_0_count_8_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_8_value_2, slice1cost_pixels_first_0_0_count_8_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value, slice1cost_pixels_first_0_0_count_9_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_9_value_3, slice1cost_pixels_first_0_0_count_10_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_10_value_2, slice1cost_pixels_first_0_0_count_10_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value, slice1cost_pixels_first_0_0_count_11_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_11_value_3, slice1cost_pixels_first_0_0_count_12_value : boolean;
+    variable slice1cost_pixels_first_0_0_count_12_value_2, slice1cost_pixels_first_0_0_count_12_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value, slice1cost_pixels_first_0_0_count_13_value_2 : boolean;
+    variable slice1cost_pixels_first_0_0_count_13_value_3, slice1cost_pixels_first_0_0_count_14_value : boolean;
     variable slice2cost_pixels_first_0_0_count_0_value, slice2cost_pixels_first_0_0_count_0_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_choice, slice2cost_pixels_first_0_0_count_0_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_0_value_4, slice2cost_pixels_first_0_0_count_0_choice_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_1_value, slice2cost_pixels_first_0_0_count_1_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice, slice2cost_pixels_first_0_0_count_1_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_4, slice2cost_pixels_first_0_0_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_value_5, slice2cost_pixels_first_0_0_count_1_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_1_choice_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_value_3, slice2cost_pixels_first_0_0_count_2_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_2_choice_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_3, slice2cost_pixels_first_0_0_count_3_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_choice_2, slice2cost_pixels_first_0_0_count_3_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_3_value_6, slice2cost_pixels_first_0_0_count_3_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_1_value_3, slice2cost_pixels_first_0_0_count_2_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_2_value_2, slice2cost_pixels_first_0_0_count_3_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_3_value_2, slice2cost_pixels_first_0_0_count_3_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_4_value, slice2cost_pixels_first_0_0_count_4_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice, slice2cost_pixels_first_0_0_count_4_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_4, slice2cost_pixels_first_0_0_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_value_5, slice2cost_pixels_first_0_0_count_4_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_4_choice_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_3, slice2cost_pixels_first_0_0_count_5_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_choice_2, slice2cost_pixels_first_0_0_count_5_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_5_value_6, slice2cost_pixels_first_0_0_count_5_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_4_value_3, slice2cost_pixels_first_0_0_count_5_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_5_value_2, slice2cost_pixels_first_0_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_6_value, slice2cost_pixels_first_0_0_count_6_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice, slice2cost_pixels_first_0_0_count_6_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_4, slice2cost_pixels_first_0_0_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_value_5, slice2cost_pixels_first_0_0_count_6_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_6_choice_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_3, slice2cost_pixels_first_0_0_count_7_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_choice_2, slice2cost_pixels_first_0_0_count_7_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_7_value_6, slice2cost_pixels_first_0_0_count_7_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_6_value_3, slice2cost_pixels_first_0_0_count_7_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_7_value_2, slice2cost_pixels_first_0_0_count_7_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_8_value, slice2cost_pixels_first_0_0_count_8_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_choice, slice2cost_pixels_first_0_0_count_8_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_value_4, slice2cost_pixels_first_0_0_count_8_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_value_5, slice2cost_pixels_first_0_0_count_8_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_8_choice_3, slice2cost_pixels_first_0_0_count_9_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_2, slice2cost_pixels_first_0_0_count_9_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_3, slice2cost_pixels_first_0_0_count_9_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_choice_2, slice2cost_pixels_first_0_0_count_9_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_9_value_6, slice2cost_pixels_first_0_0_count_9_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_8_value_3, slice2cost_pixels_first_0_0_count_9_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_9_value_2, slice2cost_pixels_first_0_0_count_9_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_10_value, slice2cost_pixels_first_0_0_count_10_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_choice, slice2cost_pixels_first_0_0_count_10_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_value_4, slice2cost_pixels_first_0_0_count_10_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_value_5, slice2cost_pixels_first_0_0_count_10_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_10_choice_3, slice2cost_pixels_first_0_0_count_11_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_2, slice2cost_pixels_first_0_0_count_11_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_3, slice2cost_pixels_first_0_0_count_11_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_choice_2, slice2cost_pixels_first_0_0_count_11_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_11_value_6, slice2cost_pixels_first_0_0_count_11_choice_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_10_value_3, slice2cost_pixels_first_0_0_count_11_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_11_value_2, slice2cost_pixels_first_0_0_count_11_value_3 : boolean;
     variable slice2cost_pixels_first_0_0_count_12_value, slice2cost_pixels_first_0_0_count_12_value_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_choice, slice2cost_pixels_first_0_0_count_12_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_value_4, slice2cost_pixels_first_0_0_count_12_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_value_5, slice2cost_pixels_first_0_0_count_12_value_6 : boolean;
-    variable slice2cost_pixels_first_0_0_count_12_choice_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_choice : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_3, slice2cost_pixels_first_0_0_count_13_value_4 : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_choice_2, slice2cost_pixels_first_0_0_count_13_value_5 : boolean;
-    variable slice2cost_pixels_first_0_0_count_13_value_6, slice2cost_pixels_first_0_0_count_13_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_14_choice, slice2cost_pixels_first_0_0_count_14_value : boolean;
-    variable slice2cost_pixels_first_0_0_count_14_value_2, slice2cost_pixels_first_0_0_count_14_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_0_choice, slice2cost_pixels_first_0_1_count_0_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice, slice2cost_pixels_first_0_1_count_1_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_1_choice_3, slice2cost_pixels_first_0_1_count_2_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_2_choice_2, slice2cost_pixels_first_0_1_count_3_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_3_choice_2, slice2cost_pixels_first_0_1_count_3_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice, slice2cost_pixels_first_0_1_count_4_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_4_choice_3, slice2cost_pixels_first_0_1_count_5_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_5_choice_2, slice2cost_pixels_first_0_1_count_5_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice, slice2cost_pixels_first_0_1_count_6_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_6_choice_3, slice2cost_pixels_first_0_1_count_7_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_7_choice_2, slice2cost_pixels_first_0_1_count_7_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_8_choice, slice2cost_pixels_first_0_1_count_8_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_8_choice_3, slice2cost_pixels_first_0_1_count_9_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_9_choice_2, slice2cost_pixels_first_0_1_count_9_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_10_choice, slice2cost_pixels_first_0_1_count_10_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_10_choice_3, slice2cost_pixels_first_0_1_count_11_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_11_choice_2, slice2cost_pixels_first_0_1_count_11_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_12_choice, slice2cost_pixels_first_0_1_count_12_choice_2 : boolean;
-    variable slice2cost_pixels_first_0_1_count_12_choice_3, slice2cost_pixels_first_0_1_count_13_choice : boolean;
-    variable slice2cost_pixels_first_0_1_count_13_choice_2, slice2cost_pixels_first_0_1_count_13_choice_3 : boolean;
-    variable slice2cost_pixels_first_0_1_count_14_choice, slice2cost_pixels_first_0_1_count_14_choice_2 : boolean;
-    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, entry_order_falls_choice, forward_path_0_value : boolean;
-    variable forward_path_1_value, forward_path_1_all, forward_path_1_value_2, forward_path_2_value : boolean;
-    variable forward_path_2_all, forward_path_2_value_2, forward_path_3_value, forward_path_3_all : boolean;
-    variable forward_path_3_value_2, forward_path_4_value, forward_path_4_all, forward_path_4_value_2 : boolean;
-    variable forward_path_5_value, forward_path_5_all, forward_path_5_value_2, forward_path_6_value : boolean;
-    variable forward_path_6_all, forward_path_6_value_2, forward_path_7_value, forward_path_7_all : boolean;
-    variable forward_path_7_value_2, forward_path_8_value, forward_path_8_all, forward_path_8_value_2 : boolean;
-    variable forward_path_9_value, forward_path_9_all, forward_path_9_value_2, forward_path_10_value : boolean;
-    variable forward_path_10_all, forward_path_10_value_2, forward_path_11_value, forward_path_11_all : boolean;
-    variable forward_path_11_value_2, forward_dropped_0_value, forward_dropped_1_value : boolean;
-    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
-    variable forward_dropped_5_value, forward_far_0_any, forward_far_0_choice, forward_far_1_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_12_value_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
+    variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_value_3 : boolean;
+    variable slice2cost_pixels_first_0_0_count_14_value, entry_order_address_all, entry_order_address_all_2 : boolean;
+    variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
+    variable forward_path_0_value, forward_path_1_any, forward_path_1_value, forward_path_2_any : boolean;
+    variable forward_path_2_value, forward_path_3_any, forward_path_3_value, forward_path_4_any : boolean;
+    variable forward_path_4_value, forward_path_5_any, forward_path_5_value, forward_path_6_any : boolean;
+    variable forward_path_6_value, forward_path_7_any, forward_path_7_value, forward_path_8_any : boolean;
+    variable forward_path_8_value, forward_path_9_any, forward_path_9_value, forward_path_10_any : boolean;
+    variable forward_path_10_value, forward_path_11_any, forward_path_11_value, forward_dropped_0_value : boolean;
+    variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
+    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any, forward_far_1_choice : boolean;
     variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
     variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
     variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
@@ -1254,11 +943,7 @@ begin
     variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
     variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
     variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
-    variable transform_counter_group_choice, forward_decision_1_choice_3 : natural range 0 to 3;
-    variable forward_decision_2_choice_3, forward_decision_3_choice_3 : natural range 0 to 3;
-    variable forward_decision_4_choice_3, forward_decision_5_choice_3, forward_decision_6_choice : natural range 0 to 3;
-    variable forward_decision_7_choice, forward_decision_8_choice, forward_decision_9_choice : natural range 0 to 3;
-    variable forward_decision_10_choice, forward_decision_11_choice, traceback_decision_choice : natural range 0 to 3;
+    variable transform_counter_group_choice, traceback_decision_choice : natural range 0 to 3;
     variable traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
     variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
     variable traceback_decision_choice_6, traceback_decision_choice_7 : natural range 0 to 3;
@@ -1304,23 +989,19 @@ begin
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 22;
     variable forward_pair_cost_9_sum, forward_pair_cost_10_sum, forward_pair_cost_11_sum : natural range 0 to 22;
     variable forward_path_0_choice, forward_path_0_choice_2, forward_path_1_choice : natural range 0 to 511;
-    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_1_choice_4 : natural range 0 to 511;
-    variable forward_path_2_choice, forward_path_2_choice_2, forward_path_2_choice_3 : natural range 0 to 511;
-    variable forward_path_2_choice_4, forward_path_3_choice, forward_path_3_choice_2 : natural range 0 to 511;
-    variable forward_path_3_choice_3, forward_path_3_choice_4, forward_path_4_choice : natural range 0 to 511;
-    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_4_choice_4 : natural range 0 to 511;
-    variable forward_path_5_choice, forward_path_5_choice_2, forward_path_5_choice_3 : natural range 0 to 511;
-    variable forward_path_5_choice_4, forward_path_6_choice, forward_path_6_choice_2 : natural range 0 to 511;
-    variable forward_path_6_choice_3, forward_path_6_choice_4, forward_path_7_choice : natural range 0 to 511;
-    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_7_choice_4 : natural range 0 to 511;
-    variable forward_path_8_choice, forward_path_8_choice_2, forward_path_8_choice_3 : natural range 0 to 511;
-    variable forward_path_8_choice_4, forward_path_9_choice, forward_path_9_choice_2 : natural range 0 to 511;
-    variable forward_path_9_choice_3, forward_path_9_choice_4, forward_path_10_choice : natural range 0 to 511;
-    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_10_choice_4 : natural range 0 to 511;
-    variable forward_path_11_choice, forward_path_11_choice_2, forward_path_11_choice_3 : natural range 0 to 511;
-    variable forward_path_11_choice_4, forward_dropped_0_choice, forward_dropped_1_choice : natural range 0 to 511;
-    variable forward_dropped_2_choice, forward_dropped_3_choice, forward_dropped_4_choice : natural range 0 to 511;
-    variable forward_dropped_5_choice : natural range 0 to 511;
+    variable forward_path_1_choice_2, forward_path_1_choice_3, forward_path_2_choice : natural range 0 to 511;
+    variable forward_path_2_choice_2, forward_path_2_choice_3, forward_path_3_choice : natural range 0 to 511;
+    variable forward_path_3_choice_2, forward_path_3_choice_3, forward_path_4_choice : natural range 0 to 511;
+    variable forward_path_4_choice_2, forward_path_4_choice_3, forward_path_5_choice : natural range 0 to 511;
+    variable forward_path_5_choice_2, forward_path_5_choice_3, forward_path_6_choice : natural range 0 to 511;
+    variable forward_path_6_choice_2, forward_path_6_choice_3, forward_path_7_choice : natural range 0 to 511;
+    variable forward_path_7_choice_2, forward_path_7_choice_3, forward_path_8_choice : natural range 0 to 511;
+    variable forward_path_8_choice_2, forward_path_8_choice_3, forward_path_9_choice : natural range 0 to 511;
+    variable forward_path_9_choice_2, forward_path_9_choice_3, forward_path_10_choice : natural range 0 to 511;
+    variable forward_path_10_choice_2, forward_path_10_choice_3, forward_path_11_choice : natural range 0 to 511;
+    variable forward_path_11_choice_2, forward_path_11_choice_3, forward_dropped_0_choice : natural range 0 to 511;
+    variable forward_dropped_1_choice, forward_dropped_2_choice, forward_dropped_3_choice : natural range 0 to 511;
+    variable forward_dropped_4_choice, forward_dropped_5_choice : natural range 0 to 511;
     variable forward_decision_0_choice, forward_decision_1_choice, forward_decision_2_choice : natural range 1 to 2;
     variable forward_decision_3_choice, forward_decision_4_choice, forward_decision_5_choice : natural range 1 to 2;
     variable forward_decision_1_choice_2, forward_decision_2_choice_2 : natural range 0 to 2;
@@ -1352,8 +1033,6 @@ begin
       transform_read_column_inside_0_value_3 := ((transform_counter_column / 4) mod 2) = 1;
       transform_read_column_inside_1_differs := (transform_counter_column / 4) /= 0;
       transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
-      transform_read_column_inside_2_choice := not ((transform_counter_column / 32) = 1) when
-        transform_read_column_inside_2_is_equal else (transform_counter_column / 32) = 1;
       transform_read_column_inside_3_value := ((transform_counter_column / 2) mod 2) = 1;
       transform_read_column_inside_5_is_equal := ((transform_counter_column / 4) mod 4) = 0;
       transform_read_column_inside_5_choice := transform_read_column_inside_5_is_equal when
@@ -1367,8 +1046,6 @@ begin
       transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
         transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3) when
         transform_read_column_inside_3_value else transform_read_column_inside_5_is_equal_2;
-      transform_read_column_inside_6_choice_2 := not transform_read_column_inside_0_value_2 when
-        transform_read_column_inside_2_is_equal else transform_read_column_inside_0_value_2;
       transform_read_column_inside_7_choice := transform_read_column_inside_5_choice when (transform_counter_column mod
         2) = 1 else not transform_read_column_inside_0_value_2;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
@@ -1860,9 +1537,9 @@ begin
       transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
         transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
         (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+      transform_left_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and
         ((transform_left_filter_column_4_4 / 128) = 1) and (not ((transform_left_filter_column_4_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        transform_left_filter_feature_0_choice_167 else transform_filtering_0_column_inside_4 and
         (((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_2 / 128) = 1)));
       transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
         (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
@@ -2398,7 +2075,7 @@ begin
       transform_left_filter_feature_0_choice_352 := (not ((transform_left_filter_column_4_2 / 128) = 1)) or
         ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_351 else (not
         ((transform_left_filter_column_4_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_353 := (as_number(transform_left_filter_feature_0_choice_320) * 8) +
           (as_number(transform_left_filter_feature_0_choice_328) * 16) +
           (as_number(transform_left_filter_feature_0_choice_336) * 4) +
@@ -2407,7 +2084,7 @@ begin
       else
         transform_left_filter_feature_0_choice_353 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_left_filter_feature_0_choice_354 := (as_number(transform_left_filter_feature_0_choice_280) * 256) +
           (as_number(transform_left_filter_feature_0_choice_288) * 512) +
           (as_number(transform_left_filter_feature_0_choice_296) * 128) +
@@ -2416,7 +2093,7 @@ begin
       else
         transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_left_filter_feature_0_choice_355 := (as_number(transform_left_filter_feature_0_choice_240) * 8192) +
           (as_number(transform_left_filter_feature_0_choice_248) * 16384) +
           (as_number(transform_left_filter_feature_0_choice_256) * 4096) +
@@ -2425,7 +2102,7 @@ begin
       else
         transform_left_filter_feature_0_choice_355 := transform_left_filter_feature_0_choice_354;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_356 := (as_number(transform_left_filter_feature_0_choice_200) * 262144)
           + (as_number(transform_left_filter_feature_0_choice_208) * 524288) +
           (as_number(transform_left_filter_feature_0_choice_216) * 131072) +
@@ -2434,7 +2111,7 @@ begin
       else
         transform_left_filter_feature_0_choice_356 := transform_left_filter_feature_0_choice_355;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_left_filter_feature_0_choice_357 := (as_number(transform_left_filter_feature_0_choice_176) * 2097152)
           + (as_number(transform_left_filter_feature_0_choice_184) * 4194304) +
           (as_number(transform_left_filter_feature_0_choice_192) * 1048576) +
@@ -2442,7 +2119,7 @@ begin
       else
         transform_left_filter_feature_0_choice_357 := transform_left_filter_feature_0_choice_356;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_128) *
           16777216) + (as_number(transform_left_filter_feature_0_choice_136) * 33554432) +
           (as_number(transform_left_filter_feature_0_choice_144) * 67108864) +
@@ -2454,7 +2131,7 @@ begin
         transform_left_filter_feature_0_choice_358 := (as_number(transform_left_filter_feature_0_choice_168) * 8388608)
           + transform_left_filter_feature_0_choice_357;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_left_filter_feature_0_choice_359 :=
           to_unsigned(as_number(transform_left_filter_feature_0_choice_120), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_112), 1) &
@@ -2465,7 +2142,7 @@ begin
       else
         transform_left_filter_feature_0_choice_359 := to_unsigned(transform_left_filter_feature_0_choice_358, 34);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_left_filter_feature_0_choice_360 := to_unsigned(as_number(transform_left_filter_feature_0_choice_80),
           1) & to_unsigned(as_number(transform_left_filter_feature_0_choice_72), 1) &
           to_unsigned(as_number(transform_left_filter_feature_0_choice_64), 1) &
@@ -2964,9 +2641,9 @@ begin
       transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
         transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
         (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := transform_filtering_column_inside_4 and
+      transform_right_filter_feature_0_choice_168 := transform_filtering_0_column_inside_4 and
         ((transform_right_filter_column_4_4 / 128) = 1) and (not ((transform_right_filter_column_4_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_167 else transform_filtering_column_inside_4 and
+        transform_right_filter_feature_0_choice_167 else transform_filtering_0_column_inside_4 and
         (((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_4_2 / 128) = 1)));
       transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
         (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
@@ -3502,7 +3179,7 @@ begin
       transform_right_filter_feature_0_choice_352 := (not ((transform_right_filter_column_4_2 / 128) = 1)) or
         ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_351 else (not
         ((transform_right_filter_column_4_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
-      if transform_filtering_column_inside_0 then
+      if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_353 := (as_number(transform_right_filter_feature_0_choice_320) * 8) +
           (as_number(transform_right_filter_feature_0_choice_328) * 16) +
           (as_number(transform_right_filter_feature_0_choice_336) * 4) +
@@ -3511,7 +3188,7 @@ begin
       else
         transform_right_filter_feature_0_choice_353 := 0;
       end if;
-      if transform_filtering_column_inside_1 then
+      if transform_filtering_0_column_inside_1 then
         transform_right_filter_feature_0_choice_354 := (as_number(transform_right_filter_feature_0_choice_280) * 256) +
           (as_number(transform_right_filter_feature_0_choice_288) * 512) +
           (as_number(transform_right_filter_feature_0_choice_296) * 128) +
@@ -3520,7 +3197,7 @@ begin
       else
         transform_right_filter_feature_0_choice_354 := transform_right_filter_feature_0_choice_353;
       end if;
-      if transform_filtering_column_inside_2 then
+      if transform_filtering_0_column_inside_2 then
         transform_right_filter_feature_0_choice_355 := (as_number(transform_right_filter_feature_0_choice_240) * 8192)
           + (as_number(transform_right_filter_feature_0_choice_248) * 16384) +
           (as_number(transform_right_filter_feature_0_choice_256) * 4096) +
@@ -3529,7 +3206,7 @@ begin
       else
         transform_right_filter_feature_0_choice_355 := transform_right_filter_feature_0_choice_354;
       end if;
-      if transform_filtering_column_inside_3 then
+      if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_356 := (as_number(transform_right_filter_feature_0_choice_200) *
           262144) + (as_number(transform_right_filter_feature_0_choice_208) * 524288) +
           (as_number(transform_right_filter_feature_0_choice_216) * 131072) +
@@ -3539,7 +3216,7 @@ begin
       else
         transform_right_filter_feature_0_choice_356 := transform_right_filter_feature_0_choice_355;
       end if;
-      if transform_filtering_column_inside_4 then
+      if transform_filtering_0_column_inside_4 then
         transform_right_filter_feature_0_choice_357 := (as_number(transform_right_filter_feature_0_choice_176) *
           2097152) + (as_number(transform_right_filter_feature_0_choice_184) * 4194304) +
           (as_number(transform_right_filter_feature_0_choice_192) * 1048576) +
@@ -3547,7 +3224,7 @@ begin
       else
         transform_right_filter_feature_0_choice_357 := transform_right_filter_feature_0_choice_356;
       end if;
-      if transform_filtering_column_inside_5 then
+      if transform_filtering_0_column_inside_5 then
         transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_128) *
           16777216) + (as_number(transform_right_filter_feature_0_choice_136) * 33554432) +
           (as_number(transform_right_filter_feature_0_choice_144) * 67108864) +
@@ -3559,7 +3236,7 @@ begin
         transform_right_filter_feature_0_choice_358 := (as_number(transform_right_filter_feature_0_choice_168) *
           8388608) + transform_right_filter_feature_0_choice_357;
       end if;
-      if transform_filtering_column_inside_6 then
+      if transform_filtering_0_column_inside_6 then
         transform_right_filter_feature_0_choice_359 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_120), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_112), 1) &
@@ -3570,7 +3247,7 @@ begin
       else
         transform_right_filter_feature_0_choice_359 := to_unsigned(transform_right_filter_feature_0_choice_358, 34);
       end if;
-      if transform_filtering_column_inside_7 then
+      if transform_filtering_0_column_inside_7 then
         transform_right_filter_feature_0_choice_360 :=
           to_unsigned(as_number(transform_right_filter_feature_0_choice_80), 1) &
           to_unsigned(as_number(transform_right_filter_feature_0_choice_72), 1) &
@@ -3595,25 +3272,26 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (((((transform_counter_group / 4) + 16383) mod 16384) * 4) +
         (transform_counter_group mod 4)) < 12;
-      transform_read_row_inside_1 <= ((transform_counter_group + 65533) mod 65536) < 12;
+      transform_read_row_inside_1 <= (transform_counter_group >= 3) and (transform_counter_group < 15);
       transform_read_row_inside_2 <= (((((transform_counter_group / 2) + 32767) mod 32768) * 2) +
         (transform_counter_group mod 2)) < 12;
-      transform_read_row_inside_3 <= ((transform_counter_group + 65535) mod 65536) < 12;
+      transform_read_row_inside_3 <= (transform_counter_group >= 1) and (transform_counter_group < 13);
       transform_read_row_inside_4 <= (not ((transform_counter_group / 8) = 1)) or (not (((transform_counter_group / 4)
         mod 2) = 1));
       transform_read_column_inside_0 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
         or transform_read_column_inside_0_value_2 or transform_read_column_inside_0_value_3;
       transform_read_column_inside_1 <= transform_read_column_inside_1_differs or ((transform_counter_column mod 4) =
         0);
-      transform_read_column_inside_2 <= transform_read_column_inside_2_choice when ((transform_counter_column / 2) mod
-        16) = 0 else transform_read_column_inside_1_differs;
+      transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= ((transform_counter_column / 32) =
+        1) when ((transform_counter_column / 2) mod 16) = 0 else transform_read_column_inside_1_differs;
       transform_read_column_inside_3 <= transform_read_column_inside_1_differs or (not ((transform_counter_column mod
         2) = 1)) or (not transform_read_column_inside_3_value);
       transform_read_column_inside_4 <= true;
       transform_read_column_inside_5 <= transform_read_column_inside_5_choice_3 when
         transform_read_column_inside_5_choice_2 else transform_read_column_inside_1_differs;
-      transform_read_column_inside_6 <= transform_read_column_inside_6_choice_2 when
-        transform_read_column_inside_6_choice else transform_read_column_inside_1_differs;
+      transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
+        transform_read_column_inside_0_value_2 when transform_read_column_inside_6_choice else
+        transform_read_column_inside_1_differs;
       transform_read_column_inside_7 <= transform_read_column_inside_5_choice_3 when
         transform_read_column_inside_7_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_8 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
@@ -3668,28 +3346,28 @@ begin
         to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
-        transform_left_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        transform_left_filter_feature_0_choice_360(38 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_left_filter_feature_0_choice_360, 44);
       transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
         to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
-        transform_right_filter_feature_0_choice_360(38 downto 0) when transform_filtering_column_inside_8 else
+        transform_right_filter_feature_0_choice_360(38 downto 0) when transform_filtering_0_column_inside_8 else
         resize(transform_right_filter_feature_0_choice_360, 44);
-      transform_filtering_column_inside_0 <= transform_columns_column_inside_0;
-      transform_filtering_column_inside_1 <= transform_columns_column_inside_1;
-      transform_filtering_column_inside_2 <= transform_columns_column_inside_2;
-      transform_filtering_column_inside_3 <= transform_columns_column_inside_3;
-      transform_filtering_column_inside_4 <= transform_columns_column_inside_4;
-      transform_filtering_column_inside_5 <= transform_columns_column_inside_5;
-      transform_filtering_column_inside_6 <= transform_columns_column_inside_6;
-      transform_filtering_column_inside_7 <= transform_columns_column_inside_7;
-      transform_filtering_column_inside_8 <= transform_columns_column_inside_8;
-      transform_filtering_start_of_frame <= transform_columns_start_of_frame;
-      transform_filtering_valid <= transform_columns_valid;
-      transform_filtered_start_of_frame <= transform_filtering_start_of_frame;
-      transform_filtered_valid <= transform_filtering_valid;
+      transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
+      transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
+      transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
+      transform_filtering_0_column_inside_3 <= transform_columns_column_inside_3;
+      transform_filtering_0_column_inside_4 <= transform_columns_column_inside_4;
+      transform_filtering_0_column_inside_5 <= transform_columns_column_inside_5;
+      transform_filtering_0_column_inside_6 <= transform_columns_column_inside_6;
+      transform_filtering_0_column_inside_7 <= transform_columns_column_inside_7;
+      transform_filtering_0_column_inside_8 <= transform_columns_column_inside_8;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
         transform_counter_next_frame;
       if in_valid then
@@ -3802,26 +3480,28 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
-      raster_features_valid <= transform_filtered_valid;
-      raster_place_group <= 0 when transform_filtered_valid and transform_filtered_start_of_frame else
+      raster_features_valid <= transform_filtering_1_valid;
+      raster_place_group <= 0 when transform_filtering_1_valid and transform_filtering_1_start_of_frame else
         (raster_place_group + as_number(((raster_place_group /= 12) and raster_place_group_is_equal and
-        transform_filtered_valid))) mod 16;
-      if transform_filtered_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtered_start_of_frame else
+        transform_filtering_1_valid))) mod 16;
+      if transform_filtering_1_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
           (raster_place_column + 1) mod 64;
       end if;
       -- delay
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_is_less := ((raster_place_column + 65525) mod 65536) < 29;
+      delay_tag_map_column_is_not_less := raster_place_column >= 11;
+      delay_tag_map_column_is_less := raster_place_column < 40;
+      delay_tag_map_column_all := delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
-      delay_tag_map_column <= delay_tag_map_column_is_less;
-      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_less when
-        (raster_place_group / 8) = 1 else delay_tag_map_column_is_less;
+      delay_tag_map_column <= delay_tag_map_column_all;
+      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_not_less and
+        delay_tag_map_column_is_less when (raster_place_group / 8) = 1 else delay_tag_map_column_all;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_group_is_equal;
       -- rows
@@ -3853,727 +3533,364 @@ begin
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
       slice0cost_pixels_first_0_0_count_0_value := to_integer(slice0shift_reference_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_search_0_0(2 downto 2)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value_2 when
-        slice0cost_pixels_first_0_0_count_0_value else slice0cost_pixels_first_0_0_count_0_value_2;
-      slice0cost_pixels_first_0_0_count_0_value_3 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_value_4 := to_integer(slice0shift_search_0_0(1 downto 1)) = 1;
-      slice0cost_pixels_first_0_0_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_4 when
-        slice0cost_pixels_first_0_0_count_0_value_3 else slice0cost_pixels_first_0_0_count_0_value_4;
+      slice0cost_pixels_first_0_0_count_0_value_2 := to_integer(slice0shift_reference_0(1 downto 1)) = 1;
       slice0cost_pixels_first_0_0_count_1_value := to_integer(slice0shift_reference_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_search_0_0(3 downto 3)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value_2 when
-        slice0cost_pixels_first_0_0_count_1_value else slice0cost_pixels_first_0_0_count_1_value_2;
-      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_4 := to_integer(slice0shift_search_0_0(5 downto 5)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_4 when
-        slice0cost_pixels_first_0_0_count_1_value_3 else slice0cost_pixels_first_0_0_count_1_value_4;
-      slice0cost_pixels_first_0_0_count_1_value_5 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_value_6 := to_integer(slice0shift_search_0_0(4 downto 4)) = 1;
-      slice0cost_pixels_first_0_0_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_6 when
-        slice0cost_pixels_first_0_0_count_1_value_5 else slice0cost_pixels_first_0_0_count_1_value_6;
+      slice0cost_pixels_first_0_0_count_1_value_2 := to_integer(slice0shift_reference_0(5 downto 5)) = 1;
+      slice0cost_pixels_first_0_0_count_1_value_3 := to_integer(slice0shift_reference_0(4 downto 4)) = 1;
       slice0cost_pixels_first_0_0_count_2_value := to_integer(slice0shift_reference_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_search_0_0(8 downto 8)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value_2 when
-        slice0cost_pixels_first_0_0_count_2_value else slice0cost_pixels_first_0_0_count_2_value_2;
-      slice0cost_pixels_first_0_0_count_2_value_3 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_value_4 := to_integer(slice0shift_search_0_0(6 downto 6)) = 1;
-      slice0cost_pixels_first_0_0_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_4 when
-        slice0cost_pixels_first_0_0_count_2_value_3 else slice0cost_pixels_first_0_0_count_2_value_4;
+      slice0cost_pixels_first_0_0_count_2_value_2 := to_integer(slice0shift_reference_0(6 downto 6)) = 1;
       slice0cost_pixels_first_0_0_count_3_value := to_integer(slice0shift_reference_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_search_0_0(9 downto 9)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value_2 when
-        slice0cost_pixels_first_0_0_count_3_value else slice0cost_pixels_first_0_0_count_3_value_2;
-      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_4 := to_integer(slice0shift_search_0_0(11 downto 11)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_4 when
-        slice0cost_pixels_first_0_0_count_3_value_3 else slice0cost_pixels_first_0_0_count_3_value_4;
-      slice0cost_pixels_first_0_0_count_3_value_5 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_value_6 := to_integer(slice0shift_search_0_0(10 downto 10)) = 1;
-      slice0cost_pixels_first_0_0_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_6 when
-        slice0cost_pixels_first_0_0_count_3_value_5 else slice0cost_pixels_first_0_0_count_3_value_6;
+      slice0cost_pixels_first_0_0_count_3_value_2 := to_integer(slice0shift_reference_0(11 downto 11)) = 1;
+      slice0cost_pixels_first_0_0_count_3_value_3 := to_integer(slice0shift_reference_0(10 downto 10)) = 1;
       slice0cost_pixels_first_0_0_count_4_value := to_integer(slice0shift_reference_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_search_0_0(12 downto 12)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value_2 when
-        slice0cost_pixels_first_0_0_count_4_value else slice0cost_pixels_first_0_0_count_4_value_2;
-      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_4 := to_integer(slice0shift_search_0_0(14 downto 14)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_4 when
-        slice0cost_pixels_first_0_0_count_4_value_3 else slice0cost_pixels_first_0_0_count_4_value_4;
-      slice0cost_pixels_first_0_0_count_4_value_5 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_value_6 := to_integer(slice0shift_search_0_0(13 downto 13)) = 1;
-      slice0cost_pixels_first_0_0_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_6 when
-        slice0cost_pixels_first_0_0_count_4_value_5 else slice0cost_pixels_first_0_0_count_4_value_6;
+      slice0cost_pixels_first_0_0_count_4_value_2 := to_integer(slice0shift_reference_0(14 downto 14)) = 1;
+      slice0cost_pixels_first_0_0_count_4_value_3 := to_integer(slice0shift_reference_0(13 downto 13)) = 1;
       slice0cost_pixels_first_0_0_count_5_value := to_integer(slice0shift_reference_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_search_0_0(15 downto 15)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value_2 when
-        slice0cost_pixels_first_0_0_count_5_value else slice0cost_pixels_first_0_0_count_5_value_2;
-      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_4 := to_integer(slice0shift_search_0_0(17 downto 17)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_4 when
-        slice0cost_pixels_first_0_0_count_5_value_3 else slice0cost_pixels_first_0_0_count_5_value_4;
-      slice0cost_pixels_first_0_0_count_5_value_5 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_value_6 := to_integer(slice0shift_search_0_0(16 downto 16)) = 1;
-      slice0cost_pixels_first_0_0_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_6 when
-        slice0cost_pixels_first_0_0_count_5_value_5 else slice0cost_pixels_first_0_0_count_5_value_6;
+      slice0cost_pixels_first_0_0_count_5_value_2 := to_integer(slice0shift_reference_0(17 downto 17)) = 1;
+      slice0cost_pixels_first_0_0_count_5_value_3 := to_integer(slice0shift_reference_0(16 downto 16)) = 1;
       slice0cost_pixels_first_0_0_count_6_value := to_integer(slice0shift_reference_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_search_0_0(18 downto 18)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value_2 when
-        slice0cost_pixels_first_0_0_count_6_value else slice0cost_pixels_first_0_0_count_6_value_2;
-      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_4 := to_integer(slice0shift_search_0_0(20 downto 20)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_4 when
-        slice0cost_pixels_first_0_0_count_6_value_3 else slice0cost_pixels_first_0_0_count_6_value_4;
-      slice0cost_pixels_first_0_0_count_6_value_5 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_value_6 := to_integer(slice0shift_search_0_0(19 downto 19)) = 1;
-      slice0cost_pixels_first_0_0_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_6 when
-        slice0cost_pixels_first_0_0_count_6_value_5 else slice0cost_pixels_first_0_0_count_6_value_6;
+      slice0cost_pixels_first_0_0_count_6_value_2 := to_integer(slice0shift_reference_0(20 downto 20)) = 1;
+      slice0cost_pixels_first_0_0_count_6_value_3 := to_integer(slice0shift_reference_0(19 downto 19)) = 1;
       slice0cost_pixels_first_0_0_count_7_value := to_integer(slice0shift_reference_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_search_0_0(21 downto 21)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value_2 when
-        slice0cost_pixels_first_0_0_count_7_value else slice0cost_pixels_first_0_0_count_7_value_2;
-      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_4 := to_integer(slice0shift_search_0_0(23 downto 23)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_4 when
-        slice0cost_pixels_first_0_0_count_7_value_3 else slice0cost_pixels_first_0_0_count_7_value_4;
-      slice0cost_pixels_first_0_0_count_7_value_5 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_value_6 := to_integer(slice0shift_search_0_0(22 downto 22)) = 1;
-      slice0cost_pixels_first_0_0_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_6 when
-        slice0cost_pixels_first_0_0_count_7_value_5 else slice0cost_pixels_first_0_0_count_7_value_6;
+      slice0cost_pixels_first_0_0_count_7_value_2 := to_integer(slice0shift_reference_0(23 downto 23)) = 1;
+      slice0cost_pixels_first_0_0_count_7_value_3 := to_integer(slice0shift_reference_0(22 downto 22)) = 1;
       slice0cost_pixels_first_0_0_count_8_value := to_integer(slice0shift_reference_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_search_0_0(24 downto 24)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value_2 when
-        slice0cost_pixels_first_0_0_count_8_value else slice0cost_pixels_first_0_0_count_8_value_2;
-      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_4 := to_integer(slice0shift_search_0_0(26 downto 26)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_4 when
-        slice0cost_pixels_first_0_0_count_8_value_3 else slice0cost_pixels_first_0_0_count_8_value_4;
-      slice0cost_pixels_first_0_0_count_8_value_5 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_value_6 := to_integer(slice0shift_search_0_0(25 downto 25)) = 1;
-      slice0cost_pixels_first_0_0_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_6 when
-        slice0cost_pixels_first_0_0_count_8_value_5 else slice0cost_pixels_first_0_0_count_8_value_6;
+      slice0cost_pixels_first_0_0_count_8_value_2 := to_integer(slice0shift_reference_0(26 downto 26)) = 1;
+      slice0cost_pixels_first_0_0_count_8_value_3 := to_integer(slice0shift_reference_0(25 downto 25)) = 1;
       slice0cost_pixels_first_0_0_count_9_value := to_integer(slice0shift_reference_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_search_0_0(27 downto 27)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value_2 when
-        slice0cost_pixels_first_0_0_count_9_value else slice0cost_pixels_first_0_0_count_9_value_2;
-      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_4 := to_integer(slice0shift_search_0_0(29 downto 29)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_4 when
-        slice0cost_pixels_first_0_0_count_9_value_3 else slice0cost_pixels_first_0_0_count_9_value_4;
-      slice0cost_pixels_first_0_0_count_9_value_5 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_value_6 := to_integer(slice0shift_search_0_0(28 downto 28)) = 1;
-      slice0cost_pixels_first_0_0_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_6 when
-        slice0cost_pixels_first_0_0_count_9_value_5 else slice0cost_pixels_first_0_0_count_9_value_6;
+      slice0cost_pixels_first_0_0_count_9_value_2 := to_integer(slice0shift_reference_0(29 downto 29)) = 1;
+      slice0cost_pixels_first_0_0_count_9_value_3 := to_integer(slice0shift_reference_0(28 downto 28)) = 1;
       slice0cost_pixels_first_0_0_count_10_value := to_integer(slice0shift_reference_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_search_0_0(30 downto 30)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value_2 when
-        slice0cost_pixels_first_0_0_count_10_value else slice0cost_pixels_first_0_0_count_10_value_2;
-      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_4 := to_integer(slice0shift_search_0_0(32 downto 32)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_4 when
-        slice0cost_pixels_first_0_0_count_10_value_3 else slice0cost_pixels_first_0_0_count_10_value_4;
-      slice0cost_pixels_first_0_0_count_10_value_5 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_value_6 := to_integer(slice0shift_search_0_0(31 downto 31)) = 1;
-      slice0cost_pixels_first_0_0_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_6 when
-        slice0cost_pixels_first_0_0_count_10_value_5 else slice0cost_pixels_first_0_0_count_10_value_6;
+      slice0cost_pixels_first_0_0_count_10_value_2 := to_integer(slice0shift_reference_0(32 downto 32)) = 1;
+      slice0cost_pixels_first_0_0_count_10_value_3 := to_integer(slice0shift_reference_0(31 downto 31)) = 1;
       slice0cost_pixels_first_0_0_count_11_value := to_integer(slice0shift_reference_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_search_0_0(33 downto 33)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value_2 when
-        slice0cost_pixels_first_0_0_count_11_value else slice0cost_pixels_first_0_0_count_11_value_2;
-      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_4 := to_integer(slice0shift_search_0_0(35 downto 35)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_4 when
-        slice0cost_pixels_first_0_0_count_11_value_3 else slice0cost_pixels_first_0_0_count_11_value_4;
-      slice0cost_pixels_first_0_0_count_11_value_5 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_value_6 := to_integer(slice0shift_search_0_0(34 downto 34)) = 1;
-      slice0cost_pixels_first_0_0_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_6 when
-        slice0cost_pixels_first_0_0_count_11_value_5 else slice0cost_pixels_first_0_0_count_11_value_6;
+      slice0cost_pixels_first_0_0_count_11_value_2 := to_integer(slice0shift_reference_0(35 downto 35)) = 1;
+      slice0cost_pixels_first_0_0_count_11_value_3 := to_integer(slice0shift_reference_0(34 downto 34)) = 1;
       slice0cost_pixels_first_0_0_count_12_value := to_integer(slice0shift_reference_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_search_0_0(36 downto 36)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value_2 when
-        slice0cost_pixels_first_0_0_count_12_value else slice0cost_pixels_first_0_0_count_12_value_2;
-      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_4 := to_integer(slice0shift_search_0_0(38 downto 38)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_4 when
-        slice0cost_pixels_first_0_0_count_12_value_3 else slice0cost_pixels_first_0_0_count_12_value_4;
-      slice0cost_pixels_first_0_0_count_12_value_5 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_value_6 := to_integer(slice0shift_search_0_0(37 downto 37)) = 1;
-      slice0cost_pixels_first_0_0_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_6 when
-        slice0cost_pixels_first_0_0_count_12_value_5 else slice0cost_pixels_first_0_0_count_12_value_6;
+      slice0cost_pixels_first_0_0_count_12_value_2 := to_integer(slice0shift_reference_0(38 downto 38)) = 1;
+      slice0cost_pixels_first_0_0_count_12_value_3 := to_integer(slice0shift_reference_0(37 downto 37)) = 1;
       slice0cost_pixels_first_0_0_count_13_value := to_integer(slice0shift_reference_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_search_0_0(39 downto 39)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value_2 when
-        slice0cost_pixels_first_0_0_count_13_value else slice0cost_pixels_first_0_0_count_13_value_2;
-      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_4 := to_integer(slice0shift_search_0_0(41 downto 41)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_4 when
-        slice0cost_pixels_first_0_0_count_13_value_3 else slice0cost_pixels_first_0_0_count_13_value_4;
-      slice0cost_pixels_first_0_0_count_13_value_5 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_value_6 := to_integer(slice0shift_search_0_0(40 downto 40)) = 1;
-      slice0cost_pixels_first_0_0_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_6 when
-        slice0cost_pixels_first_0_0_count_13_value_5 else slice0cost_pixels_first_0_0_count_13_value_6;
-      slice0cost_pixels_first_0_0_count_14_choice := not (to_integer(slice0shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_reference_0(43 downto 43)) = 1 else to_integer(slice0shift_search_0_0(43 downto 43)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_2 := to_integer(slice0shift_reference_0(41 downto 41)) = 1;
+      slice0cost_pixels_first_0_0_count_13_value_3 := to_integer(slice0shift_reference_0(40 downto 40)) = 1;
       slice0cost_pixels_first_0_0_count_14_value := to_integer(slice0shift_reference_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_value_2 := to_integer(slice0shift_search_0_0(42 downto 42)) = 1;
-      slice0cost_pixels_first_0_0_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value_2 when
-        slice0cost_pixels_first_0_0_count_14_value else slice0cost_pixels_first_0_0_count_14_value_2;
-      slice0cost_pixels_first_0_1_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_1(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_1_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_1(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_1(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_1_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_1(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_1_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_1(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_1_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_1(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_1_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_1(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_1(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_1_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_1(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_1_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_1(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_1_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_1(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_1_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_1(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_1_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_1(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_1_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_1(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_1_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_1(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_1_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_1(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_1_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_1(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_1_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_1(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_1_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_1(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_1_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_1(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_1_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_1(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_1_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_1(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_1_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_1(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_1_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_1(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_1_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_1(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_1_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_1(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_1_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_1(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_1_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_1(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_1_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_1(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_1_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_1(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_1_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_1(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_1_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_1(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_1_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_1(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_1_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_1(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_1_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_1(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_1_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_1(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_1_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_1(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_1_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_1(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_1_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_1(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_1_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_1(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_1_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_1(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_1_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_1(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_2_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_2(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_2_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_2(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_2(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_2_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_2(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_2_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_2(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_2_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_2(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_2_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_2(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_2(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_2_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_2(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_2_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_2(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_2_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_2(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_2_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_2(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_2_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_2(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_2_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_2(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_2_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_2(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_2_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_2(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_2_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_2(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_2_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_2(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_2_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_2(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_2_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_2(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_2_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_2(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_2_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_2(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_2_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_2(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_2_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_2(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_2_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_2(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_2_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_2(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_2_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_2(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_2_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_2(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_2_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_2(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_2_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_2(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_2_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_2(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_2_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_2(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_2_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_2(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_2_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_2(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_2_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_2(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_2_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_2(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_2_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_2(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_2_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_2(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_2_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_2(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_2_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_2(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_2_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_2(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_2_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_2(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_3_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_3(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_3_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_3(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_3(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_3_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_3(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_3_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_3(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_3_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_3(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_3_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_3(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_3(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_3_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_3(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_3_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_3(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_3_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_3(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_3_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_3(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_3_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_3(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_3_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_3(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_3_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_3(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_3_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_3(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_3_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_3(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_3_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_3(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_3_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_3(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_3_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_3(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_3_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_3(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_3_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_3(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_3_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_3(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_3_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_3(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_3_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_3(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_3_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_3(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_3_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_3(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_3_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_3(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_3_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_3(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_3_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_3(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_3_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_3(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_3_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_3(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_3_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_3(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_3_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_3(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_3_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_3(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_3_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_3(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_3_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_3(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_3_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_3(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_3_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_3(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_3_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_3(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_3_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_3(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_3_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_3(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
-      slice0cost_pixels_first_0_4_count_0_choice := not slice0cost_pixels_first_0_0_count_0_value when
-        to_integer(slice0shift_search_0_4(2 downto 2)) = 1 else slice0cost_pixels_first_0_0_count_0_value;
-      slice0cost_pixels_first_0_4_count_0_choice_2 := not slice0cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice0shift_search_0_4(1 downto 1)) = 1 else slice0cost_pixels_first_0_0_count_0_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice := not slice0cost_pixels_first_0_0_count_1_value when
-        to_integer(slice0shift_search_0_4(3 downto 3)) = 1 else slice0cost_pixels_first_0_0_count_1_value;
-      slice0cost_pixels_first_0_4_count_1_choice_2 := not slice0cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice0shift_search_0_4(5 downto 5)) = 1 else slice0cost_pixels_first_0_0_count_1_value_3;
-      slice0cost_pixels_first_0_4_count_1_choice_3 := not slice0cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice0shift_search_0_4(4 downto 4)) = 1 else slice0cost_pixels_first_0_0_count_1_value_5;
-      slice0cost_pixels_first_0_4_count_2_choice := not slice0cost_pixels_first_0_0_count_2_value when
-        to_integer(slice0shift_search_0_4(8 downto 8)) = 1 else slice0cost_pixels_first_0_0_count_2_value;
-      slice0cost_pixels_first_0_4_count_2_choice_2 := not slice0cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice0shift_search_0_4(6 downto 6)) = 1 else slice0cost_pixels_first_0_0_count_2_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice := not slice0cost_pixels_first_0_0_count_3_value when
-        to_integer(slice0shift_search_0_4(9 downto 9)) = 1 else slice0cost_pixels_first_0_0_count_3_value;
-      slice0cost_pixels_first_0_4_count_3_choice_2 := not slice0cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice0shift_search_0_4(11 downto 11)) = 1 else slice0cost_pixels_first_0_0_count_3_value_3;
-      slice0cost_pixels_first_0_4_count_3_choice_3 := not slice0cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice0shift_search_0_4(10 downto 10)) = 1 else slice0cost_pixels_first_0_0_count_3_value_5;
-      slice0cost_pixels_first_0_4_count_4_choice := not slice0cost_pixels_first_0_0_count_4_value when
-        to_integer(slice0shift_search_0_4(12 downto 12)) = 1 else slice0cost_pixels_first_0_0_count_4_value;
-      slice0cost_pixels_first_0_4_count_4_choice_2 := not slice0cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice0shift_search_0_4(14 downto 14)) = 1 else slice0cost_pixels_first_0_0_count_4_value_3;
-      slice0cost_pixels_first_0_4_count_4_choice_3 := not slice0cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice0shift_search_0_4(13 downto 13)) = 1 else slice0cost_pixels_first_0_0_count_4_value_5;
-      slice0cost_pixels_first_0_4_count_5_choice := not slice0cost_pixels_first_0_0_count_5_value when
-        to_integer(slice0shift_search_0_4(15 downto 15)) = 1 else slice0cost_pixels_first_0_0_count_5_value;
-      slice0cost_pixels_first_0_4_count_5_choice_2 := not slice0cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice0shift_search_0_4(17 downto 17)) = 1 else slice0cost_pixels_first_0_0_count_5_value_3;
-      slice0cost_pixels_first_0_4_count_5_choice_3 := not slice0cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice0shift_search_0_4(16 downto 16)) = 1 else slice0cost_pixels_first_0_0_count_5_value_5;
-      slice0cost_pixels_first_0_4_count_6_choice := not slice0cost_pixels_first_0_0_count_6_value when
-        to_integer(slice0shift_search_0_4(18 downto 18)) = 1 else slice0cost_pixels_first_0_0_count_6_value;
-      slice0cost_pixels_first_0_4_count_6_choice_2 := not slice0cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice0shift_search_0_4(20 downto 20)) = 1 else slice0cost_pixels_first_0_0_count_6_value_3;
-      slice0cost_pixels_first_0_4_count_6_choice_3 := not slice0cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice0shift_search_0_4(19 downto 19)) = 1 else slice0cost_pixels_first_0_0_count_6_value_5;
-      slice0cost_pixels_first_0_4_count_7_choice := not slice0cost_pixels_first_0_0_count_7_value when
-        to_integer(slice0shift_search_0_4(21 downto 21)) = 1 else slice0cost_pixels_first_0_0_count_7_value;
-      slice0cost_pixels_first_0_4_count_7_choice_2 := not slice0cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice0shift_search_0_4(23 downto 23)) = 1 else slice0cost_pixels_first_0_0_count_7_value_3;
-      slice0cost_pixels_first_0_4_count_7_choice_3 := not slice0cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice0shift_search_0_4(22 downto 22)) = 1 else slice0cost_pixels_first_0_0_count_7_value_5;
-      slice0cost_pixels_first_0_4_count_8_choice := not slice0cost_pixels_first_0_0_count_8_value when
-        to_integer(slice0shift_search_0_4(24 downto 24)) = 1 else slice0cost_pixels_first_0_0_count_8_value;
-      slice0cost_pixels_first_0_4_count_8_choice_2 := not slice0cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice0shift_search_0_4(26 downto 26)) = 1 else slice0cost_pixels_first_0_0_count_8_value_3;
-      slice0cost_pixels_first_0_4_count_8_choice_3 := not slice0cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice0shift_search_0_4(25 downto 25)) = 1 else slice0cost_pixels_first_0_0_count_8_value_5;
-      slice0cost_pixels_first_0_4_count_9_choice := not slice0cost_pixels_first_0_0_count_9_value when
-        to_integer(slice0shift_search_0_4(27 downto 27)) = 1 else slice0cost_pixels_first_0_0_count_9_value;
-      slice0cost_pixels_first_0_4_count_9_choice_2 := not slice0cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice0shift_search_0_4(29 downto 29)) = 1 else slice0cost_pixels_first_0_0_count_9_value_3;
-      slice0cost_pixels_first_0_4_count_9_choice_3 := not slice0cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice0shift_search_0_4(28 downto 28)) = 1 else slice0cost_pixels_first_0_0_count_9_value_5;
-      slice0cost_pixels_first_0_4_count_10_choice := not slice0cost_pixels_first_0_0_count_10_value when
-        to_integer(slice0shift_search_0_4(30 downto 30)) = 1 else slice0cost_pixels_first_0_0_count_10_value;
-      slice0cost_pixels_first_0_4_count_10_choice_2 := not slice0cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice0shift_search_0_4(32 downto 32)) = 1 else slice0cost_pixels_first_0_0_count_10_value_3;
-      slice0cost_pixels_first_0_4_count_10_choice_3 := not slice0cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice0shift_search_0_4(31 downto 31)) = 1 else slice0cost_pixels_first_0_0_count_10_value_5;
-      slice0cost_pixels_first_0_4_count_11_choice := not slice0cost_pixels_first_0_0_count_11_value when
-        to_integer(slice0shift_search_0_4(33 downto 33)) = 1 else slice0cost_pixels_first_0_0_count_11_value;
-      slice0cost_pixels_first_0_4_count_11_choice_2 := not slice0cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice0shift_search_0_4(35 downto 35)) = 1 else slice0cost_pixels_first_0_0_count_11_value_3;
-      slice0cost_pixels_first_0_4_count_11_choice_3 := not slice0cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice0shift_search_0_4(34 downto 34)) = 1 else slice0cost_pixels_first_0_0_count_11_value_5;
-      slice0cost_pixels_first_0_4_count_12_choice := not slice0cost_pixels_first_0_0_count_12_value when
-        to_integer(slice0shift_search_0_4(36 downto 36)) = 1 else slice0cost_pixels_first_0_0_count_12_value;
-      slice0cost_pixels_first_0_4_count_12_choice_2 := not slice0cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice0shift_search_0_4(38 downto 38)) = 1 else slice0cost_pixels_first_0_0_count_12_value_3;
-      slice0cost_pixels_first_0_4_count_12_choice_3 := not slice0cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice0shift_search_0_4(37 downto 37)) = 1 else slice0cost_pixels_first_0_0_count_12_value_5;
-      slice0cost_pixels_first_0_4_count_13_choice := not slice0cost_pixels_first_0_0_count_13_value when
-        to_integer(slice0shift_search_0_4(39 downto 39)) = 1 else slice0cost_pixels_first_0_0_count_13_value;
-      slice0cost_pixels_first_0_4_count_13_choice_2 := not slice0cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice0shift_search_0_4(41 downto 41)) = 1 else slice0cost_pixels_first_0_0_count_13_value_3;
-      slice0cost_pixels_first_0_4_count_13_choice_3 := not slice0cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice0shift_search_0_4(40 downto 40)) = 1 else slice0cost_pixels_first_0_0_count_13_value_5;
-      slice0cost_pixels_first_0_4_count_14_choice := not (to_integer(slice0shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice0shift_search_0_4(43 downto 43)) = 1 else to_integer(slice0shift_reference_0(43 downto 43)) = 1;
-      slice0cost_pixels_first_0_4_count_14_choice_2 := not slice0cost_pixels_first_0_0_count_14_value when
-        to_integer(slice0shift_search_0_4(42 downto 42)) = 1 else slice0cost_pixels_first_0_0_count_14_value;
       slice0cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice0shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_0_count_0_choice_2);
-      slice0cost_pixels_first_0_0_count_1 <= as_number(slice0cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice0shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice0shift_search_0_0(1 downto 1)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_1 <= as_number((slice0cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice0shift_search_0_0(3 downto 3)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice0shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice0shift_search_0_0(4 downto 4)) =
+        1)));
       slice0cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_0_count_2_choice) + as_number(slice0cost_pixels_first_0_0_count_2_choice_2);
-      slice0cost_pixels_first_0_0_count_3 <= as_number(slice0cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_3_choice_3);
-      slice0cost_pixels_first_0_0_count_4 <= as_number(slice0cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_4_choice_3);
-      slice0cost_pixels_first_0_0_count_5 <= as_number(slice0cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_5_choice_3);
-      slice0cost_pixels_first_0_0_count_6 <= as_number(slice0cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_6_choice_3);
-      slice0cost_pixels_first_0_0_count_7 <= as_number(slice0cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_7_choice_3);
-      slice0cost_pixels_first_0_0_count_8 <= as_number(slice0cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_8_choice_3);
-      slice0cost_pixels_first_0_0_count_9 <= as_number(slice0cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_9_choice_3);
-      slice0cost_pixels_first_0_0_count_10 <= as_number(slice0cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_10_choice_3);
-      slice0cost_pixels_first_0_0_count_11 <= as_number(slice0cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_11_choice_3);
-      slice0cost_pixels_first_0_0_count_12 <= as_number(slice0cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_12_choice_3);
-      slice0cost_pixels_first_0_0_count_13 <= as_number(slice0cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_0_count_13_choice_3);
-      slice0cost_pixels_first_0_0_count_14 <= as_number(slice0cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice0cost_pixels_first_0_0_count_2_value /= (to_integer(slice0shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice0shift_search_0_0(6 downto 6)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_3 <= as_number((slice0cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice0shift_search_0_0(9 downto 9)) = 1))) + as_number((slice0cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice0shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice0shift_search_0_0(10 downto 10)) =
+        1)));
+      slice0cost_pixels_first_0_0_count_4 <= as_number((slice0cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice0shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice0shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice0shift_search_0_0(13 downto
+        13)) = 1)));
+      slice0cost_pixels_first_0_0_count_5 <= as_number((slice0cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice0shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice0shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice0shift_search_0_0(16 downto
+        16)) = 1)));
+      slice0cost_pixels_first_0_0_count_6 <= as_number((slice0cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice0shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice0shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice0shift_search_0_0(19 downto
+        19)) = 1)));
+      slice0cost_pixels_first_0_0_count_7 <= as_number((slice0cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice0shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice0shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice0shift_search_0_0(22 downto
+        22)) = 1)));
+      slice0cost_pixels_first_0_0_count_8 <= as_number((slice0cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice0shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice0shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice0shift_search_0_0(25 downto
+        25)) = 1)));
+      slice0cost_pixels_first_0_0_count_9 <= as_number((slice0cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice0shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice0shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice0shift_search_0_0(28 downto
+        28)) = 1)));
+      slice0cost_pixels_first_0_0_count_10 <= as_number((slice0cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice0shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice0shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice0shift_search_0_0(31 downto
+        31)) = 1)));
+      slice0cost_pixels_first_0_0_count_11 <= as_number((slice0cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice0shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice0shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice0shift_search_0_0(34 downto
+        34)) = 1)));
+      slice0cost_pixels_first_0_0_count_12 <= as_number((slice0cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice0shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice0shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice0shift_search_0_0(37 downto
+        37)) = 1)));
+      slice0cost_pixels_first_0_0_count_13 <= as_number((slice0cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice0shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice0shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice0cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice0shift_search_0_0(40 downto
+        40)) = 1)));
+      slice0cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice0shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_count_14_value /= (to_integer(slice0shift_search_0_0(42 downto 42)) =
+        1)));
       slice0cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice0shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_1_count_0_choice_2);
-      slice0cost_pixels_first_0_1_count_1 <= as_number(slice0cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_1(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice0shift_search_0_1(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_1(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_1(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_1_count_2_choice) + as_number(slice0cost_pixels_first_0_1_count_2_choice_2);
-      slice0cost_pixels_first_0_1_count_3 <= as_number(slice0cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_3_choice_3);
-      slice0cost_pixels_first_0_1_count_4 <= as_number(slice0cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_4_choice_3);
-      slice0cost_pixels_first_0_1_count_5 <= as_number(slice0cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_5_choice_3);
-      slice0cost_pixels_first_0_1_count_6 <= as_number(slice0cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_6_choice_3);
-      slice0cost_pixels_first_0_1_count_7 <= as_number(slice0cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_7_choice_3);
-      slice0cost_pixels_first_0_1_count_8 <= as_number(slice0cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_8_choice_3);
-      slice0cost_pixels_first_0_1_count_9 <= as_number(slice0cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_9_choice_3);
-      slice0cost_pixels_first_0_1_count_10 <= as_number(slice0cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_10_choice_3);
-      slice0cost_pixels_first_0_1_count_11 <= as_number(slice0cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_11_choice_3);
-      slice0cost_pixels_first_0_1_count_12 <= as_number(slice0cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_12_choice_3);
-      slice0cost_pixels_first_0_1_count_13 <= as_number(slice0cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_1_count_13_choice_3);
-      slice0cost_pixels_first_0_1_count_14 <= as_number(slice0cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_1(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_1(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice0shift_search_0_1(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_1(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_1(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice0shift_search_0_1(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_1(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_1(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice0shift_search_0_1(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_1(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_1(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice0shift_search_0_1(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_1(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_1(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice0shift_search_0_1(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_1(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_1(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice0shift_search_0_1(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_1(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_1(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice0shift_search_0_1(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_1(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_1(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice0shift_search_0_1(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_1(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_1(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice0shift_search_0_1(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_1(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_1(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice0shift_search_0_1(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_1(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_1(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice0shift_search_0_1(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_1(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_1(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice0shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_1(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice0shift_search_0_2(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_2_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_2_count_0_choice_2);
-      slice0cost_pixels_first_0_2_count_1 <= as_number(slice0cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_2(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_2_count_1 <= as_number(((to_integer(slice0shift_search_0_2(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_2(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_2(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_2_count_2_choice) + as_number(slice0cost_pixels_first_0_2_count_2_choice_2);
-      slice0cost_pixels_first_0_2_count_3 <= as_number(slice0cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_3_choice_3);
-      slice0cost_pixels_first_0_2_count_4 <= as_number(slice0cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_4_choice_3);
-      slice0cost_pixels_first_0_2_count_5 <= as_number(slice0cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_5_choice_3);
-      slice0cost_pixels_first_0_2_count_6 <= as_number(slice0cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_6_choice_3);
-      slice0cost_pixels_first_0_2_count_7 <= as_number(slice0cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_7_choice_3);
-      slice0cost_pixels_first_0_2_count_8 <= as_number(slice0cost_pixels_first_0_2_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_8_choice_3);
-      slice0cost_pixels_first_0_2_count_9 <= as_number(slice0cost_pixels_first_0_2_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_9_choice_3);
-      slice0cost_pixels_first_0_2_count_10 <= as_number(slice0cost_pixels_first_0_2_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_10_choice_3);
-      slice0cost_pixels_first_0_2_count_11 <= as_number(slice0cost_pixels_first_0_2_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_11_choice_3);
-      slice0cost_pixels_first_0_2_count_12 <= as_number(slice0cost_pixels_first_0_2_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_12_choice_3);
-      slice0cost_pixels_first_0_2_count_13 <= as_number(slice0cost_pixels_first_0_2_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_2_count_13_choice_3);
-      slice0cost_pixels_first_0_2_count_14 <= as_number(slice0cost_pixels_first_0_2_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_2_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_2(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_2(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_2_count_3 <= as_number(((to_integer(slice0shift_search_0_2(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_2(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_2(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_2_count_4 <= as_number(((to_integer(slice0shift_search_0_2(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_2(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_2(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_2_count_5 <= as_number(((to_integer(slice0shift_search_0_2(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_2(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_2(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_2_count_6 <= as_number(((to_integer(slice0shift_search_0_2(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_2(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_2(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_2_count_7 <= as_number(((to_integer(slice0shift_search_0_2(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_2(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_2(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_2_count_8 <= as_number(((to_integer(slice0shift_search_0_2(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_2(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_2(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_2_count_9 <= as_number(((to_integer(slice0shift_search_0_2(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_2(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_2(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_2_count_10 <= as_number(((to_integer(slice0shift_search_0_2(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_2(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_2(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_2_count_11 <= as_number(((to_integer(slice0shift_search_0_2(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_2(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_2(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_2_count_12 <= as_number(((to_integer(slice0shift_search_0_2(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_2(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_2(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_2_count_13 <= as_number(((to_integer(slice0shift_search_0_2(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_2(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_2(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_2_count_14 <= as_number(((to_integer(slice0shift_search_0_2(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_2(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice0shift_search_0_3(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_3_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_3_count_0_choice_2);
-      slice0cost_pixels_first_0_3_count_1 <= as_number(slice0cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_3(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_3_count_1 <= as_number(((to_integer(slice0shift_search_0_3(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_3(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_3(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_3_count_2_choice) + as_number(slice0cost_pixels_first_0_3_count_2_choice_2);
-      slice0cost_pixels_first_0_3_count_3 <= as_number(slice0cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_3_choice_3);
-      slice0cost_pixels_first_0_3_count_4 <= as_number(slice0cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_4_choice_3);
-      slice0cost_pixels_first_0_3_count_5 <= as_number(slice0cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_5_choice_3);
-      slice0cost_pixels_first_0_3_count_6 <= as_number(slice0cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_6_choice_3);
-      slice0cost_pixels_first_0_3_count_7 <= as_number(slice0cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_7_choice_3);
-      slice0cost_pixels_first_0_3_count_8 <= as_number(slice0cost_pixels_first_0_3_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_8_choice_3);
-      slice0cost_pixels_first_0_3_count_9 <= as_number(slice0cost_pixels_first_0_3_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_9_choice_3);
-      slice0cost_pixels_first_0_3_count_10 <= as_number(slice0cost_pixels_first_0_3_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_10_choice_3);
-      slice0cost_pixels_first_0_3_count_11 <= as_number(slice0cost_pixels_first_0_3_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_11_choice_3);
-      slice0cost_pixels_first_0_3_count_12 <= as_number(slice0cost_pixels_first_0_3_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_12_choice_3);
-      slice0cost_pixels_first_0_3_count_13 <= as_number(slice0cost_pixels_first_0_3_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_3_count_13_choice_3);
-      slice0cost_pixels_first_0_3_count_14 <= as_number(slice0cost_pixels_first_0_3_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_3_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_3(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_3(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_3_count_3 <= as_number(((to_integer(slice0shift_search_0_3(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_3(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_3(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_3_count_4 <= as_number(((to_integer(slice0shift_search_0_3(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_3(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_3(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_3_count_5 <= as_number(((to_integer(slice0shift_search_0_3(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_3(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_3(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_3_count_6 <= as_number(((to_integer(slice0shift_search_0_3(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_3(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_3(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_3_count_7 <= as_number(((to_integer(slice0shift_search_0_3(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_3(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_3(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_3_count_8 <= as_number(((to_integer(slice0shift_search_0_3(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_3(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_3(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_3_count_9 <= as_number(((to_integer(slice0shift_search_0_3(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_3(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_3(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_3_count_10 <= as_number(((to_integer(slice0shift_search_0_3(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_3(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_3(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_3_count_11 <= as_number(((to_integer(slice0shift_search_0_3(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_3(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_3(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_3_count_12 <= as_number(((to_integer(slice0shift_search_0_3(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_3(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_3(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_3_count_13 <= as_number(((to_integer(slice0shift_search_0_3(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_3(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_3(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_3_count_14 <= as_number(((to_integer(slice0shift_search_0_3(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_3(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice0shift_search_0_4(0 downto 0)) = 1) /=
-        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(slice0cost_pixels_first_0_4_count_0_choice)
-        + as_number(slice0cost_pixels_first_0_4_count_0_choice_2);
-      slice0cost_pixels_first_0_4_count_1 <= as_number(slice0cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_1_choice_3);
+        (to_integer(slice0shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(2
+        downto 2)) = 1) /= slice0cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice0shift_search_0_4(1 downto 1)) = 1) /=
+        slice0cost_pixels_first_0_0_count_0_value_2));
+      slice0cost_pixels_first_0_4_count_1 <= as_number(((to_integer(slice0shift_search_0_4(3 downto 3)) = 1) /=
+        slice0cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice0shift_search_0_4(5 downto 5)) = 1)
+        /= slice0cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice0shift_search_0_4(4 downto 4)) =
+        1) /= slice0cost_pixels_first_0_0_count_1_value_3));
       slice0cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice0shift_search_0_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice0shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice0cost_pixels_first_0_4_count_2_choice) + as_number(slice0cost_pixels_first_0_4_count_2_choice_2);
-      slice0cost_pixels_first_0_4_count_3 <= as_number(slice0cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_3_choice_3);
-      slice0cost_pixels_first_0_4_count_4 <= as_number(slice0cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_4_choice_3);
-      slice0cost_pixels_first_0_4_count_5 <= as_number(slice0cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_5_choice_3);
-      slice0cost_pixels_first_0_4_count_6 <= as_number(slice0cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_6_choice_3);
-      slice0cost_pixels_first_0_4_count_7 <= as_number(slice0cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_7_choice_3);
-      slice0cost_pixels_first_0_4_count_8 <= as_number(slice0cost_pixels_first_0_4_count_8_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_8_choice_3);
-      slice0cost_pixels_first_0_4_count_9 <= as_number(slice0cost_pixels_first_0_4_count_9_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_9_choice_3);
-      slice0cost_pixels_first_0_4_count_10 <= as_number(slice0cost_pixels_first_0_4_count_10_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_10_choice_3);
-      slice0cost_pixels_first_0_4_count_11 <= as_number(slice0cost_pixels_first_0_4_count_11_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_11_choice_3);
-      slice0cost_pixels_first_0_4_count_12 <= as_number(slice0cost_pixels_first_0_4_count_12_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_12_choice_3);
-      slice0cost_pixels_first_0_4_count_13 <= as_number(slice0cost_pixels_first_0_4_count_13_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_2) +
-        as_number(slice0cost_pixels_first_0_4_count_13_choice_3);
-      slice0cost_pixels_first_0_4_count_14 <= as_number(slice0cost_pixels_first_0_4_count_14_choice) +
-        as_number(slice0cost_pixels_first_0_4_count_14_choice_2);
+        as_number(((to_integer(slice0shift_search_0_4(8 downto 8)) = 1) /= slice0cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice0shift_search_0_4(6 downto 6)) = 1) /=
+        slice0cost_pixels_first_0_0_count_2_value_2));
+      slice0cost_pixels_first_0_4_count_3 <= as_number(((to_integer(slice0shift_search_0_4(9 downto 9)) = 1) /=
+        slice0cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice0shift_search_0_4(11 downto 11)) = 1)
+        /= slice0cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice0shift_search_0_4(10 downto 10))
+        = 1) /= slice0cost_pixels_first_0_0_count_3_value_3));
+      slice0cost_pixels_first_0_4_count_4 <= as_number(((to_integer(slice0shift_search_0_4(12 downto 12)) = 1) /=
+        slice0cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice0shift_search_0_4(14 downto 14)) = 1)
+        /= slice0cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice0shift_search_0_4(13 downto 13))
+        = 1) /= slice0cost_pixels_first_0_0_count_4_value_3));
+      slice0cost_pixels_first_0_4_count_5 <= as_number(((to_integer(slice0shift_search_0_4(15 downto 15)) = 1) /=
+        slice0cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice0shift_search_0_4(17 downto 17)) = 1)
+        /= slice0cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice0shift_search_0_4(16 downto 16))
+        = 1) /= slice0cost_pixels_first_0_0_count_5_value_3));
+      slice0cost_pixels_first_0_4_count_6 <= as_number(((to_integer(slice0shift_search_0_4(18 downto 18)) = 1) /=
+        slice0cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice0shift_search_0_4(20 downto 20)) = 1)
+        /= slice0cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice0shift_search_0_4(19 downto 19))
+        = 1) /= slice0cost_pixels_first_0_0_count_6_value_3));
+      slice0cost_pixels_first_0_4_count_7 <= as_number(((to_integer(slice0shift_search_0_4(21 downto 21)) = 1) /=
+        slice0cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice0shift_search_0_4(23 downto 23)) = 1)
+        /= slice0cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice0shift_search_0_4(22 downto 22))
+        = 1) /= slice0cost_pixels_first_0_0_count_7_value_3));
+      slice0cost_pixels_first_0_4_count_8 <= as_number(((to_integer(slice0shift_search_0_4(24 downto 24)) = 1) /=
+        slice0cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice0shift_search_0_4(26 downto 26)) = 1)
+        /= slice0cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice0shift_search_0_4(25 downto 25))
+        = 1) /= slice0cost_pixels_first_0_0_count_8_value_3));
+      slice0cost_pixels_first_0_4_count_9 <= as_number(((to_integer(slice0shift_search_0_4(27 downto 27)) = 1) /=
+        slice0cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice0shift_search_0_4(29 downto 29)) = 1)
+        /= slice0cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice0shift_search_0_4(28 downto 28))
+        = 1) /= slice0cost_pixels_first_0_0_count_9_value_3));
+      slice0cost_pixels_first_0_4_count_10 <= as_number(((to_integer(slice0shift_search_0_4(30 downto 30)) = 1) /=
+        slice0cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice0shift_search_0_4(32 downto 32)) =
+        1) /= slice0cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice0shift_search_0_4(31 downto
+        31)) = 1) /= slice0cost_pixels_first_0_0_count_10_value_3));
+      slice0cost_pixels_first_0_4_count_11 <= as_number(((to_integer(slice0shift_search_0_4(33 downto 33)) = 1) /=
+        slice0cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice0shift_search_0_4(35 downto 35)) =
+        1) /= slice0cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice0shift_search_0_4(34 downto
+        34)) = 1) /= slice0cost_pixels_first_0_0_count_11_value_3));
+      slice0cost_pixels_first_0_4_count_12 <= as_number(((to_integer(slice0shift_search_0_4(36 downto 36)) = 1) /=
+        slice0cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice0shift_search_0_4(38 downto 38)) =
+        1) /= slice0cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice0shift_search_0_4(37 downto
+        37)) = 1) /= slice0cost_pixels_first_0_0_count_12_value_3));
+      slice0cost_pixels_first_0_4_count_13 <= as_number(((to_integer(slice0shift_search_0_4(39 downto 39)) = 1) /=
+        slice0cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice0shift_search_0_4(41 downto 41)) =
+        1) /= slice0cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice0shift_search_0_4(40 downto
+        40)) = 1) /= slice0cost_pixels_first_0_0_count_13_value_3));
+      slice0cost_pixels_first_0_4_count_14 <= as_number(((to_integer(slice0shift_search_0_4(43 downto 43)) = 1) /=
+        (to_integer(slice0shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice0shift_search_0_4(42
+        downto 42)) = 1) /= slice0cost_pixels_first_0_0_count_14_value));
       slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
       slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
       slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
@@ -4623,13 +3940,25 @@ begin
       slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
       slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
       slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
-      slice0cost_tag_valid <= slice0cost_pixels_tag_valid;
-      slice0cost_tag_border_column <= slice0cost_pixels_tag_border_column;
-      slice0cost_tag_first_cost <= slice0cost_pixels_tag_first_cost;
-      slice0cost_tag_map_column <= slice0cost_pixels_tag_map_column;
-      slice0cost_tag_output_column <= slice0cost_pixels_tag_output_column;
-      slice0cost_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
-      slice0cost_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_single_0_0 <= slice0cost_pixels_cost_0_0;
+      slice0cost_single_0_1 <= slice0cost_pixels_cost_0_1;
+      slice0cost_single_0_2 <= slice0cost_pixels_cost_0_2;
+      slice0cost_single_0_3 <= slice0cost_pixels_cost_0_3;
+      slice0cost_single_0_4 <= slice0cost_pixels_cost_0_4;
+      slice0cost_pair_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_pair_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_pair_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_pair_tag_map_column <= slice0cost_pixels_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0window
       slice0window_tag_valid <= slice0cost_tag_valid;
       slice0window_tag_border_column <= slice0cost_tag_border_column;
@@ -4684,727 +4013,364 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_4;
       -- slice1cost
       slice1cost_pixels_first_0_0_count_0_value := to_integer(slice1shift_reference_0(2 downto 2)) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_2 := to_integer(slice1shift_search_0_0(2 downto 2)) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value_2 when
-        slice1cost_pixels_first_0_0_count_0_value else slice1cost_pixels_first_0_0_count_0_value_2;
-      slice1cost_pixels_first_0_0_count_0_value_3 := to_integer(slice1shift_reference_0(1 downto 1)) = 1;
-      slice1cost_pixels_first_0_0_count_0_value_4 := to_integer(slice1shift_search_0_0(1 downto 1)) = 1;
-      slice1cost_pixels_first_0_0_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_4 when
-        slice1cost_pixels_first_0_0_count_0_value_3 else slice1cost_pixels_first_0_0_count_0_value_4;
+      slice1cost_pixels_first_0_0_count_0_value_2 := to_integer(slice1shift_reference_0(1 downto 1)) = 1;
       slice1cost_pixels_first_0_0_count_1_value := to_integer(slice1shift_reference_0(3 downto 3)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_2 := to_integer(slice1shift_search_0_0(3 downto 3)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value_2 when
-        slice1cost_pixels_first_0_0_count_1_value else slice1cost_pixels_first_0_0_count_1_value_2;
-      slice1cost_pixels_first_0_0_count_1_value_3 := to_integer(slice1shift_reference_0(5 downto 5)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_4 := to_integer(slice1shift_search_0_0(5 downto 5)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_4 when
-        slice1cost_pixels_first_0_0_count_1_value_3 else slice1cost_pixels_first_0_0_count_1_value_4;
-      slice1cost_pixels_first_0_0_count_1_value_5 := to_integer(slice1shift_reference_0(4 downto 4)) = 1;
-      slice1cost_pixels_first_0_0_count_1_value_6 := to_integer(slice1shift_search_0_0(4 downto 4)) = 1;
-      slice1cost_pixels_first_0_0_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_6 when
-        slice1cost_pixels_first_0_0_count_1_value_5 else slice1cost_pixels_first_0_0_count_1_value_6;
+      slice1cost_pixels_first_0_0_count_1_value_2 := to_integer(slice1shift_reference_0(5 downto 5)) = 1;
+      slice1cost_pixels_first_0_0_count_1_value_3 := to_integer(slice1shift_reference_0(4 downto 4)) = 1;
       slice1cost_pixels_first_0_0_count_2_value := to_integer(slice1shift_reference_0(8 downto 8)) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_2 := to_integer(slice1shift_search_0_0(8 downto 8)) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value_2 when
-        slice1cost_pixels_first_0_0_count_2_value else slice1cost_pixels_first_0_0_count_2_value_2;
-      slice1cost_pixels_first_0_0_count_2_value_3 := to_integer(slice1shift_reference_0(6 downto 6)) = 1;
-      slice1cost_pixels_first_0_0_count_2_value_4 := to_integer(slice1shift_search_0_0(6 downto 6)) = 1;
-      slice1cost_pixels_first_0_0_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_4 when
-        slice1cost_pixels_first_0_0_count_2_value_3 else slice1cost_pixels_first_0_0_count_2_value_4;
+      slice1cost_pixels_first_0_0_count_2_value_2 := to_integer(slice1shift_reference_0(6 downto 6)) = 1;
       slice1cost_pixels_first_0_0_count_3_value := to_integer(slice1shift_reference_0(9 downto 9)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_2 := to_integer(slice1shift_search_0_0(9 downto 9)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value_2 when
-        slice1cost_pixels_first_0_0_count_3_value else slice1cost_pixels_first_0_0_count_3_value_2;
-      slice1cost_pixels_first_0_0_count_3_value_3 := to_integer(slice1shift_reference_0(11 downto 11)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_4 := to_integer(slice1shift_search_0_0(11 downto 11)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_4 when
-        slice1cost_pixels_first_0_0_count_3_value_3 else slice1cost_pixels_first_0_0_count_3_value_4;
-      slice1cost_pixels_first_0_0_count_3_value_5 := to_integer(slice1shift_reference_0(10 downto 10)) = 1;
-      slice1cost_pixels_first_0_0_count_3_value_6 := to_integer(slice1shift_search_0_0(10 downto 10)) = 1;
-      slice1cost_pixels_first_0_0_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_6 when
-        slice1cost_pixels_first_0_0_count_3_value_5 else slice1cost_pixels_first_0_0_count_3_value_6;
+      slice1cost_pixels_first_0_0_count_3_value_2 := to_integer(slice1shift_reference_0(11 downto 11)) = 1;
+      slice1cost_pixels_first_0_0_count_3_value_3 := to_integer(slice1shift_reference_0(10 downto 10)) = 1;
       slice1cost_pixels_first_0_0_count_4_value := to_integer(slice1shift_reference_0(12 downto 12)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_2 := to_integer(slice1shift_search_0_0(12 downto 12)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value_2 when
-        slice1cost_pixels_first_0_0_count_4_value else slice1cost_pixels_first_0_0_count_4_value_2;
-      slice1cost_pixels_first_0_0_count_4_value_3 := to_integer(slice1shift_reference_0(14 downto 14)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_4 := to_integer(slice1shift_search_0_0(14 downto 14)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_4 when
-        slice1cost_pixels_first_0_0_count_4_value_3 else slice1cost_pixels_first_0_0_count_4_value_4;
-      slice1cost_pixels_first_0_0_count_4_value_5 := to_integer(slice1shift_reference_0(13 downto 13)) = 1;
-      slice1cost_pixels_first_0_0_count_4_value_6 := to_integer(slice1shift_search_0_0(13 downto 13)) = 1;
-      slice1cost_pixels_first_0_0_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_6 when
-        slice1cost_pixels_first_0_0_count_4_value_5 else slice1cost_pixels_first_0_0_count_4_value_6;
+      slice1cost_pixels_first_0_0_count_4_value_2 := to_integer(slice1shift_reference_0(14 downto 14)) = 1;
+      slice1cost_pixels_first_0_0_count_4_value_3 := to_integer(slice1shift_reference_0(13 downto 13)) = 1;
       slice1cost_pixels_first_0_0_count_5_value := to_integer(slice1shift_reference_0(15 downto 15)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_2 := to_integer(slice1shift_search_0_0(15 downto 15)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value_2 when
-        slice1cost_pixels_first_0_0_count_5_value else slice1cost_pixels_first_0_0_count_5_value_2;
-      slice1cost_pixels_first_0_0_count_5_value_3 := to_integer(slice1shift_reference_0(17 downto 17)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_4 := to_integer(slice1shift_search_0_0(17 downto 17)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_4 when
-        slice1cost_pixels_first_0_0_count_5_value_3 else slice1cost_pixels_first_0_0_count_5_value_4;
-      slice1cost_pixels_first_0_0_count_5_value_5 := to_integer(slice1shift_reference_0(16 downto 16)) = 1;
-      slice1cost_pixels_first_0_0_count_5_value_6 := to_integer(slice1shift_search_0_0(16 downto 16)) = 1;
-      slice1cost_pixels_first_0_0_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_6 when
-        slice1cost_pixels_first_0_0_count_5_value_5 else slice1cost_pixels_first_0_0_count_5_value_6;
+      slice1cost_pixels_first_0_0_count_5_value_2 := to_integer(slice1shift_reference_0(17 downto 17)) = 1;
+      slice1cost_pixels_first_0_0_count_5_value_3 := to_integer(slice1shift_reference_0(16 downto 16)) = 1;
       slice1cost_pixels_first_0_0_count_6_value := to_integer(slice1shift_reference_0(18 downto 18)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_2 := to_integer(slice1shift_search_0_0(18 downto 18)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value_2 when
-        slice1cost_pixels_first_0_0_count_6_value else slice1cost_pixels_first_0_0_count_6_value_2;
-      slice1cost_pixels_first_0_0_count_6_value_3 := to_integer(slice1shift_reference_0(20 downto 20)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_4 := to_integer(slice1shift_search_0_0(20 downto 20)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_4 when
-        slice1cost_pixels_first_0_0_count_6_value_3 else slice1cost_pixels_first_0_0_count_6_value_4;
-      slice1cost_pixels_first_0_0_count_6_value_5 := to_integer(slice1shift_reference_0(19 downto 19)) = 1;
-      slice1cost_pixels_first_0_0_count_6_value_6 := to_integer(slice1shift_search_0_0(19 downto 19)) = 1;
-      slice1cost_pixels_first_0_0_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_6 when
-        slice1cost_pixels_first_0_0_count_6_value_5 else slice1cost_pixels_first_0_0_count_6_value_6;
+      slice1cost_pixels_first_0_0_count_6_value_2 := to_integer(slice1shift_reference_0(20 downto 20)) = 1;
+      slice1cost_pixels_first_0_0_count_6_value_3 := to_integer(slice1shift_reference_0(19 downto 19)) = 1;
       slice1cost_pixels_first_0_0_count_7_value := to_integer(slice1shift_reference_0(21 downto 21)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_2 := to_integer(slice1shift_search_0_0(21 downto 21)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value_2 when
-        slice1cost_pixels_first_0_0_count_7_value else slice1cost_pixels_first_0_0_count_7_value_2;
-      slice1cost_pixels_first_0_0_count_7_value_3 := to_integer(slice1shift_reference_0(23 downto 23)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_4 := to_integer(slice1shift_search_0_0(23 downto 23)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_4 when
-        slice1cost_pixels_first_0_0_count_7_value_3 else slice1cost_pixels_first_0_0_count_7_value_4;
-      slice1cost_pixels_first_0_0_count_7_value_5 := to_integer(slice1shift_reference_0(22 downto 22)) = 1;
-      slice1cost_pixels_first_0_0_count_7_value_6 := to_integer(slice1shift_search_0_0(22 downto 22)) = 1;
-      slice1cost_pixels_first_0_0_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_6 when
-        slice1cost_pixels_first_0_0_count_7_value_5 else slice1cost_pixels_first_0_0_count_7_value_6;
+      slice1cost_pixels_first_0_0_count_7_value_2 := to_integer(slice1shift_reference_0(23 downto 23)) = 1;
+      slice1cost_pixels_first_0_0_count_7_value_3 := to_integer(slice1shift_reference_0(22 downto 22)) = 1;
       slice1cost_pixels_first_0_0_count_8_value := to_integer(slice1shift_reference_0(24 downto 24)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_2 := to_integer(slice1shift_search_0_0(24 downto 24)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value_2 when
-        slice1cost_pixels_first_0_0_count_8_value else slice1cost_pixels_first_0_0_count_8_value_2;
-      slice1cost_pixels_first_0_0_count_8_value_3 := to_integer(slice1shift_reference_0(26 downto 26)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_4 := to_integer(slice1shift_search_0_0(26 downto 26)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_4 when
-        slice1cost_pixels_first_0_0_count_8_value_3 else slice1cost_pixels_first_0_0_count_8_value_4;
-      slice1cost_pixels_first_0_0_count_8_value_5 := to_integer(slice1shift_reference_0(25 downto 25)) = 1;
-      slice1cost_pixels_first_0_0_count_8_value_6 := to_integer(slice1shift_search_0_0(25 downto 25)) = 1;
-      slice1cost_pixels_first_0_0_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_6 when
-        slice1cost_pixels_first_0_0_count_8_value_5 else slice1cost_pixels_first_0_0_count_8_value_6;
+      slice1cost_pixels_first_0_0_count_8_value_2 := to_integer(slice1shift_reference_0(26 downto 26)) = 1;
+      slice1cost_pixels_first_0_0_count_8_value_3 := to_integer(slice1shift_reference_0(25 downto 25)) = 1;
       slice1cost_pixels_first_0_0_count_9_value := to_integer(slice1shift_reference_0(27 downto 27)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_2 := to_integer(slice1shift_search_0_0(27 downto 27)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value_2 when
-        slice1cost_pixels_first_0_0_count_9_value else slice1cost_pixels_first_0_0_count_9_value_2;
-      slice1cost_pixels_first_0_0_count_9_value_3 := to_integer(slice1shift_reference_0(29 downto 29)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_4 := to_integer(slice1shift_search_0_0(29 downto 29)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_4 when
-        slice1cost_pixels_first_0_0_count_9_value_3 else slice1cost_pixels_first_0_0_count_9_value_4;
-      slice1cost_pixels_first_0_0_count_9_value_5 := to_integer(slice1shift_reference_0(28 downto 28)) = 1;
-      slice1cost_pixels_first_0_0_count_9_value_6 := to_integer(slice1shift_search_0_0(28 downto 28)) = 1;
-      slice1cost_pixels_first_0_0_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_6 when
-        slice1cost_pixels_first_0_0_count_9_value_5 else slice1cost_pixels_first_0_0_count_9_value_6;
+      slice1cost_pixels_first_0_0_count_9_value_2 := to_integer(slice1shift_reference_0(29 downto 29)) = 1;
+      slice1cost_pixels_first_0_0_count_9_value_3 := to_integer(slice1shift_reference_0(28 downto 28)) = 1;
       slice1cost_pixels_first_0_0_count_10_value := to_integer(slice1shift_reference_0(30 downto 30)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_2 := to_integer(slice1shift_search_0_0(30 downto 30)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value_2 when
-        slice1cost_pixels_first_0_0_count_10_value else slice1cost_pixels_first_0_0_count_10_value_2;
-      slice1cost_pixels_first_0_0_count_10_value_3 := to_integer(slice1shift_reference_0(32 downto 32)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_4 := to_integer(slice1shift_search_0_0(32 downto 32)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_4 when
-        slice1cost_pixels_first_0_0_count_10_value_3 else slice1cost_pixels_first_0_0_count_10_value_4;
-      slice1cost_pixels_first_0_0_count_10_value_5 := to_integer(slice1shift_reference_0(31 downto 31)) = 1;
-      slice1cost_pixels_first_0_0_count_10_value_6 := to_integer(slice1shift_search_0_0(31 downto 31)) = 1;
-      slice1cost_pixels_first_0_0_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_6 when
-        slice1cost_pixels_first_0_0_count_10_value_5 else slice1cost_pixels_first_0_0_count_10_value_6;
+      slice1cost_pixels_first_0_0_count_10_value_2 := to_integer(slice1shift_reference_0(32 downto 32)) = 1;
+      slice1cost_pixels_first_0_0_count_10_value_3 := to_integer(slice1shift_reference_0(31 downto 31)) = 1;
       slice1cost_pixels_first_0_0_count_11_value := to_integer(slice1shift_reference_0(33 downto 33)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_2 := to_integer(slice1shift_search_0_0(33 downto 33)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value_2 when
-        slice1cost_pixels_first_0_0_count_11_value else slice1cost_pixels_first_0_0_count_11_value_2;
-      slice1cost_pixels_first_0_0_count_11_value_3 := to_integer(slice1shift_reference_0(35 downto 35)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_4 := to_integer(slice1shift_search_0_0(35 downto 35)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_4 when
-        slice1cost_pixels_first_0_0_count_11_value_3 else slice1cost_pixels_first_0_0_count_11_value_4;
-      slice1cost_pixels_first_0_0_count_11_value_5 := to_integer(slice1shift_reference_0(34 downto 34)) = 1;
-      slice1cost_pixels_first_0_0_count_11_value_6 := to_integer(slice1shift_search_0_0(34 downto 34)) = 1;
-      slice1cost_pixels_first_0_0_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_6 when
-        slice1cost_pixels_first_0_0_count_11_value_5 else slice1cost_pixels_first_0_0_count_11_value_6;
+      slice1cost_pixels_first_0_0_count_11_value_2 := to_integer(slice1shift_reference_0(35 downto 35)) = 1;
+      slice1cost_pixels_first_0_0_count_11_value_3 := to_integer(slice1shift_reference_0(34 downto 34)) = 1;
       slice1cost_pixels_first_0_0_count_12_value := to_integer(slice1shift_reference_0(36 downto 36)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_2 := to_integer(slice1shift_search_0_0(36 downto 36)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value_2 when
-        slice1cost_pixels_first_0_0_count_12_value else slice1cost_pixels_first_0_0_count_12_value_2;
-      slice1cost_pixels_first_0_0_count_12_value_3 := to_integer(slice1shift_reference_0(38 downto 38)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_4 := to_integer(slice1shift_search_0_0(38 downto 38)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_4 when
-        slice1cost_pixels_first_0_0_count_12_value_3 else slice1cost_pixels_first_0_0_count_12_value_4;
-      slice1cost_pixels_first_0_0_count_12_value_5 := to_integer(slice1shift_reference_0(37 downto 37)) = 1;
-      slice1cost_pixels_first_0_0_count_12_value_6 := to_integer(slice1shift_search_0_0(37 downto 37)) = 1;
-      slice1cost_pixels_first_0_0_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_6 when
-        slice1cost_pixels_first_0_0_count_12_value_5 else slice1cost_pixels_first_0_0_count_12_value_6;
+      slice1cost_pixels_first_0_0_count_12_value_2 := to_integer(slice1shift_reference_0(38 downto 38)) = 1;
+      slice1cost_pixels_first_0_0_count_12_value_3 := to_integer(slice1shift_reference_0(37 downto 37)) = 1;
       slice1cost_pixels_first_0_0_count_13_value := to_integer(slice1shift_reference_0(39 downto 39)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_2 := to_integer(slice1shift_search_0_0(39 downto 39)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value_2 when
-        slice1cost_pixels_first_0_0_count_13_value else slice1cost_pixels_first_0_0_count_13_value_2;
-      slice1cost_pixels_first_0_0_count_13_value_3 := to_integer(slice1shift_reference_0(41 downto 41)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_4 := to_integer(slice1shift_search_0_0(41 downto 41)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_4 when
-        slice1cost_pixels_first_0_0_count_13_value_3 else slice1cost_pixels_first_0_0_count_13_value_4;
-      slice1cost_pixels_first_0_0_count_13_value_5 := to_integer(slice1shift_reference_0(40 downto 40)) = 1;
-      slice1cost_pixels_first_0_0_count_13_value_6 := to_integer(slice1shift_search_0_0(40 downto 40)) = 1;
-      slice1cost_pixels_first_0_0_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_6 when
-        slice1cost_pixels_first_0_0_count_13_value_5 else slice1cost_pixels_first_0_0_count_13_value_6;
-      slice1cost_pixels_first_0_0_count_14_choice := not (to_integer(slice1shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_reference_0(43 downto 43)) = 1 else to_integer(slice1shift_search_0_0(43 downto 43)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_2 := to_integer(slice1shift_reference_0(41 downto 41)) = 1;
+      slice1cost_pixels_first_0_0_count_13_value_3 := to_integer(slice1shift_reference_0(40 downto 40)) = 1;
       slice1cost_pixels_first_0_0_count_14_value := to_integer(slice1shift_reference_0(42 downto 42)) = 1;
-      slice1cost_pixels_first_0_0_count_14_value_2 := to_integer(slice1shift_search_0_0(42 downto 42)) = 1;
-      slice1cost_pixels_first_0_0_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value_2 when
-        slice1cost_pixels_first_0_0_count_14_value else slice1cost_pixels_first_0_0_count_14_value_2;
-      slice1cost_pixels_first_0_1_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_1(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_1_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_1(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_1(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_1_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_1(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_1_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_1(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_1_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_1(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_1_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_1(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_1(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_1_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_1(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_1_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_1(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_1_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_1(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_1_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_1(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_1_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_1(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_1_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_1(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_1_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_1(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_1_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_1(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_1_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_1(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_1_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_1(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_1_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_1(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_1_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_1(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_1_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_1(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_1_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_1(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_1_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_1(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_1_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_1(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_1_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_1(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_1_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_1(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_1_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_1(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_1_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_1(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_1_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_1(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_1_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_1(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_1_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_1(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_1_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_1(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_1_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_1(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_1_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_1(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_1_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_1(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_1_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_1(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_1_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_1(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_1_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_1(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_1_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_1(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_1_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_1(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_1_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_1(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_1_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_1(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_2_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_2(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_2_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_2(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_2(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_2_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_2(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_2_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_2(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_2_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_2(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_2_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_2(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_2(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_2_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_2(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_2_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_2(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_2_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_2(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_2_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_2(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_2_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_2(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_2_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_2(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_2_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_2(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_2_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_2(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_2_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_2(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_2_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_2(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_2_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_2(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_2_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_2(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_2_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_2(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_2_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_2(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_2_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_2(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_2_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_2(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_2_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_2(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_2_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_2(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_2_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_2(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_2_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_2(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_2_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_2(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_2_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_2(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_2_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_2(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_2_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_2(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_2_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_2(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_2_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_2(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_2_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_2(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_2_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_2(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_2_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_2(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_2_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_2(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_2_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_2(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_2_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_2(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_2_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_2(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_2_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_2(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_3_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_3(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_3_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_3(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_3(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_3_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_3(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_3_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_3(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_3_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_3(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_3_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_3(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_3(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_3_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_3(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_3_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_3(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_3_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_3(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_3_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_3(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_3_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_3(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_3_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_3(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_3_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_3(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_3_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_3(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_3_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_3(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_3_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_3(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_3_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_3(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_3_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_3(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_3_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_3(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_3_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_3(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_3_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_3(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_3_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_3(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_3_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_3(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_3_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_3(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_3_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_3(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_3_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_3(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_3_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_3(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_3_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_3(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_3_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_3(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_3_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_3(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_3_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_3(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_3_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_3(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_3_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_3(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_3_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_3(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_3_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_3(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_3_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_3(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_3_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_3(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_3_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_3(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_3_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_3(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_3_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_3(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
-      slice1cost_pixels_first_0_4_count_0_choice := not slice1cost_pixels_first_0_0_count_0_value when
-        to_integer(slice1shift_search_0_4(2 downto 2)) = 1 else slice1cost_pixels_first_0_0_count_0_value;
-      slice1cost_pixels_first_0_4_count_0_choice_2 := not slice1cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice1shift_search_0_4(1 downto 1)) = 1 else slice1cost_pixels_first_0_0_count_0_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice := not slice1cost_pixels_first_0_0_count_1_value when
-        to_integer(slice1shift_search_0_4(3 downto 3)) = 1 else slice1cost_pixels_first_0_0_count_1_value;
-      slice1cost_pixels_first_0_4_count_1_choice_2 := not slice1cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice1shift_search_0_4(5 downto 5)) = 1 else slice1cost_pixels_first_0_0_count_1_value_3;
-      slice1cost_pixels_first_0_4_count_1_choice_3 := not slice1cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice1shift_search_0_4(4 downto 4)) = 1 else slice1cost_pixels_first_0_0_count_1_value_5;
-      slice1cost_pixels_first_0_4_count_2_choice := not slice1cost_pixels_first_0_0_count_2_value when
-        to_integer(slice1shift_search_0_4(8 downto 8)) = 1 else slice1cost_pixels_first_0_0_count_2_value;
-      slice1cost_pixels_first_0_4_count_2_choice_2 := not slice1cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice1shift_search_0_4(6 downto 6)) = 1 else slice1cost_pixels_first_0_0_count_2_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice := not slice1cost_pixels_first_0_0_count_3_value when
-        to_integer(slice1shift_search_0_4(9 downto 9)) = 1 else slice1cost_pixels_first_0_0_count_3_value;
-      slice1cost_pixels_first_0_4_count_3_choice_2 := not slice1cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice1shift_search_0_4(11 downto 11)) = 1 else slice1cost_pixels_first_0_0_count_3_value_3;
-      slice1cost_pixels_first_0_4_count_3_choice_3 := not slice1cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice1shift_search_0_4(10 downto 10)) = 1 else slice1cost_pixels_first_0_0_count_3_value_5;
-      slice1cost_pixels_first_0_4_count_4_choice := not slice1cost_pixels_first_0_0_count_4_value when
-        to_integer(slice1shift_search_0_4(12 downto 12)) = 1 else slice1cost_pixels_first_0_0_count_4_value;
-      slice1cost_pixels_first_0_4_count_4_choice_2 := not slice1cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice1shift_search_0_4(14 downto 14)) = 1 else slice1cost_pixels_first_0_0_count_4_value_3;
-      slice1cost_pixels_first_0_4_count_4_choice_3 := not slice1cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice1shift_search_0_4(13 downto 13)) = 1 else slice1cost_pixels_first_0_0_count_4_value_5;
-      slice1cost_pixels_first_0_4_count_5_choice := not slice1cost_pixels_first_0_0_count_5_value when
-        to_integer(slice1shift_search_0_4(15 downto 15)) = 1 else slice1cost_pixels_first_0_0_count_5_value;
-      slice1cost_pixels_first_0_4_count_5_choice_2 := not slice1cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice1shift_search_0_4(17 downto 17)) = 1 else slice1cost_pixels_first_0_0_count_5_value_3;
-      slice1cost_pixels_first_0_4_count_5_choice_3 := not slice1cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice1shift_search_0_4(16 downto 16)) = 1 else slice1cost_pixels_first_0_0_count_5_value_5;
-      slice1cost_pixels_first_0_4_count_6_choice := not slice1cost_pixels_first_0_0_count_6_value when
-        to_integer(slice1shift_search_0_4(18 downto 18)) = 1 else slice1cost_pixels_first_0_0_count_6_value;
-      slice1cost_pixels_first_0_4_count_6_choice_2 := not slice1cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice1shift_search_0_4(20 downto 20)) = 1 else slice1cost_pixels_first_0_0_count_6_value_3;
-      slice1cost_pixels_first_0_4_count_6_choice_3 := not slice1cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice1shift_search_0_4(19 downto 19)) = 1 else slice1cost_pixels_first_0_0_count_6_value_5;
-      slice1cost_pixels_first_0_4_count_7_choice := not slice1cost_pixels_first_0_0_count_7_value when
-        to_integer(slice1shift_search_0_4(21 downto 21)) = 1 else slice1cost_pixels_first_0_0_count_7_value;
-      slice1cost_pixels_first_0_4_count_7_choice_2 := not slice1cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice1shift_search_0_4(23 downto 23)) = 1 else slice1cost_pixels_first_0_0_count_7_value_3;
-      slice1cost_pixels_first_0_4_count_7_choice_3 := not slice1cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice1shift_search_0_4(22 downto 22)) = 1 else slice1cost_pixels_first_0_0_count_7_value_5;
-      slice1cost_pixels_first_0_4_count_8_choice := not slice1cost_pixels_first_0_0_count_8_value when
-        to_integer(slice1shift_search_0_4(24 downto 24)) = 1 else slice1cost_pixels_first_0_0_count_8_value;
-      slice1cost_pixels_first_0_4_count_8_choice_2 := not slice1cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice1shift_search_0_4(26 downto 26)) = 1 else slice1cost_pixels_first_0_0_count_8_value_3;
-      slice1cost_pixels_first_0_4_count_8_choice_3 := not slice1cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice1shift_search_0_4(25 downto 25)) = 1 else slice1cost_pixels_first_0_0_count_8_value_5;
-      slice1cost_pixels_first_0_4_count_9_choice := not slice1cost_pixels_first_0_0_count_9_value when
-        to_integer(slice1shift_search_0_4(27 downto 27)) = 1 else slice1cost_pixels_first_0_0_count_9_value;
-      slice1cost_pixels_first_0_4_count_9_choice_2 := not slice1cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice1shift_search_0_4(29 downto 29)) = 1 else slice1cost_pixels_first_0_0_count_9_value_3;
-      slice1cost_pixels_first_0_4_count_9_choice_3 := not slice1cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice1shift_search_0_4(28 downto 28)) = 1 else slice1cost_pixels_first_0_0_count_9_value_5;
-      slice1cost_pixels_first_0_4_count_10_choice := not slice1cost_pixels_first_0_0_count_10_value when
-        to_integer(slice1shift_search_0_4(30 downto 30)) = 1 else slice1cost_pixels_first_0_0_count_10_value;
-      slice1cost_pixels_first_0_4_count_10_choice_2 := not slice1cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice1shift_search_0_4(32 downto 32)) = 1 else slice1cost_pixels_first_0_0_count_10_value_3;
-      slice1cost_pixels_first_0_4_count_10_choice_3 := not slice1cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice1shift_search_0_4(31 downto 31)) = 1 else slice1cost_pixels_first_0_0_count_10_value_5;
-      slice1cost_pixels_first_0_4_count_11_choice := not slice1cost_pixels_first_0_0_count_11_value when
-        to_integer(slice1shift_search_0_4(33 downto 33)) = 1 else slice1cost_pixels_first_0_0_count_11_value;
-      slice1cost_pixels_first_0_4_count_11_choice_2 := not slice1cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice1shift_search_0_4(35 downto 35)) = 1 else slice1cost_pixels_first_0_0_count_11_value_3;
-      slice1cost_pixels_first_0_4_count_11_choice_3 := not slice1cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice1shift_search_0_4(34 downto 34)) = 1 else slice1cost_pixels_first_0_0_count_11_value_5;
-      slice1cost_pixels_first_0_4_count_12_choice := not slice1cost_pixels_first_0_0_count_12_value when
-        to_integer(slice1shift_search_0_4(36 downto 36)) = 1 else slice1cost_pixels_first_0_0_count_12_value;
-      slice1cost_pixels_first_0_4_count_12_choice_2 := not slice1cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice1shift_search_0_4(38 downto 38)) = 1 else slice1cost_pixels_first_0_0_count_12_value_3;
-      slice1cost_pixels_first_0_4_count_12_choice_3 := not slice1cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice1shift_search_0_4(37 downto 37)) = 1 else slice1cost_pixels_first_0_0_count_12_value_5;
-      slice1cost_pixels_first_0_4_count_13_choice := not slice1cost_pixels_first_0_0_count_13_value when
-        to_integer(slice1shift_search_0_4(39 downto 39)) = 1 else slice1cost_pixels_first_0_0_count_13_value;
-      slice1cost_pixels_first_0_4_count_13_choice_2 := not slice1cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice1shift_search_0_4(41 downto 41)) = 1 else slice1cost_pixels_first_0_0_count_13_value_3;
-      slice1cost_pixels_first_0_4_count_13_choice_3 := not slice1cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice1shift_search_0_4(40 downto 40)) = 1 else slice1cost_pixels_first_0_0_count_13_value_5;
-      slice1cost_pixels_first_0_4_count_14_choice := not (to_integer(slice1shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice1shift_search_0_4(43 downto 43)) = 1 else to_integer(slice1shift_reference_0(43 downto 43)) = 1;
-      slice1cost_pixels_first_0_4_count_14_choice_2 := not slice1cost_pixels_first_0_0_count_14_value when
-        to_integer(slice1shift_search_0_4(42 downto 42)) = 1 else slice1cost_pixels_first_0_0_count_14_value;
       slice1cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice1shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_0_count_0_choice_2);
-      slice1cost_pixels_first_0_0_count_1 <= as_number(slice1cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice1shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice1shift_search_0_0(1 downto 1)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_1 <= as_number((slice1cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice1shift_search_0_0(3 downto 3)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice1shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice1shift_search_0_0(4 downto 4)) =
+        1)));
       slice1cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_0_count_2_choice) + as_number(slice1cost_pixels_first_0_0_count_2_choice_2);
-      slice1cost_pixels_first_0_0_count_3 <= as_number(slice1cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_3_choice_3);
-      slice1cost_pixels_first_0_0_count_4 <= as_number(slice1cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_4_choice_3);
-      slice1cost_pixels_first_0_0_count_5 <= as_number(slice1cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_5_choice_3);
-      slice1cost_pixels_first_0_0_count_6 <= as_number(slice1cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_6_choice_3);
-      slice1cost_pixels_first_0_0_count_7 <= as_number(slice1cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_7_choice_3);
-      slice1cost_pixels_first_0_0_count_8 <= as_number(slice1cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_8_choice_3);
-      slice1cost_pixels_first_0_0_count_9 <= as_number(slice1cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_9_choice_3);
-      slice1cost_pixels_first_0_0_count_10 <= as_number(slice1cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_10_choice_3);
-      slice1cost_pixels_first_0_0_count_11 <= as_number(slice1cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_11_choice_3);
-      slice1cost_pixels_first_0_0_count_12 <= as_number(slice1cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_12_choice_3);
-      slice1cost_pixels_first_0_0_count_13 <= as_number(slice1cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_0_count_13_choice_3);
-      slice1cost_pixels_first_0_0_count_14 <= as_number(slice1cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice1cost_pixels_first_0_0_count_2_value /= (to_integer(slice1shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice1cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice1shift_search_0_0(6 downto 6)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_3 <= as_number((slice1cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice1shift_search_0_0(9 downto 9)) = 1))) + as_number((slice1cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice1shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice1shift_search_0_0(10 downto 10)) =
+        1)));
+      slice1cost_pixels_first_0_0_count_4 <= as_number((slice1cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice1shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice1shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice1shift_search_0_0(13 downto
+        13)) = 1)));
+      slice1cost_pixels_first_0_0_count_5 <= as_number((slice1cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice1shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice1shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice1shift_search_0_0(16 downto
+        16)) = 1)));
+      slice1cost_pixels_first_0_0_count_6 <= as_number((slice1cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice1shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice1shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice1shift_search_0_0(19 downto
+        19)) = 1)));
+      slice1cost_pixels_first_0_0_count_7 <= as_number((slice1cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice1shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice1shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice1shift_search_0_0(22 downto
+        22)) = 1)));
+      slice1cost_pixels_first_0_0_count_8 <= as_number((slice1cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice1shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice1shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice1shift_search_0_0(25 downto
+        25)) = 1)));
+      slice1cost_pixels_first_0_0_count_9 <= as_number((slice1cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice1shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice1shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice1shift_search_0_0(28 downto
+        28)) = 1)));
+      slice1cost_pixels_first_0_0_count_10 <= as_number((slice1cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice1shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice1shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice1shift_search_0_0(31 downto
+        31)) = 1)));
+      slice1cost_pixels_first_0_0_count_11 <= as_number((slice1cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice1shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice1shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice1shift_search_0_0(34 downto
+        34)) = 1)));
+      slice1cost_pixels_first_0_0_count_12 <= as_number((slice1cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice1shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice1shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice1shift_search_0_0(37 downto
+        37)) = 1)));
+      slice1cost_pixels_first_0_0_count_13 <= as_number((slice1cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice1shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice1shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice1cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice1shift_search_0_0(40 downto
+        40)) = 1)));
+      slice1cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice1shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_count_14_value /= (to_integer(slice1shift_search_0_0(42 downto 42)) =
+        1)));
       slice1cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice1shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_1_count_0_choice_2);
-      slice1cost_pixels_first_0_1_count_1 <= as_number(slice1cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_1(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_1(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice1shift_search_0_1(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_1(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_1(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_1_count_2_choice) + as_number(slice1cost_pixels_first_0_1_count_2_choice_2);
-      slice1cost_pixels_first_0_1_count_3 <= as_number(slice1cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_3_choice_3);
-      slice1cost_pixels_first_0_1_count_4 <= as_number(slice1cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_4_choice_3);
-      slice1cost_pixels_first_0_1_count_5 <= as_number(slice1cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_5_choice_3);
-      slice1cost_pixels_first_0_1_count_6 <= as_number(slice1cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_6_choice_3);
-      slice1cost_pixels_first_0_1_count_7 <= as_number(slice1cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_7_choice_3);
-      slice1cost_pixels_first_0_1_count_8 <= as_number(slice1cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_8_choice_3);
-      slice1cost_pixels_first_0_1_count_9 <= as_number(slice1cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_9_choice_3);
-      slice1cost_pixels_first_0_1_count_10 <= as_number(slice1cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_10_choice_3);
-      slice1cost_pixels_first_0_1_count_11 <= as_number(slice1cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_11_choice_3);
-      slice1cost_pixels_first_0_1_count_12 <= as_number(slice1cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_12_choice_3);
-      slice1cost_pixels_first_0_1_count_13 <= as_number(slice1cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_1_count_13_choice_3);
-      slice1cost_pixels_first_0_1_count_14 <= as_number(slice1cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_1(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_1(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice1shift_search_0_1(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_1(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_1(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice1shift_search_0_1(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_1(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_1(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice1shift_search_0_1(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_1(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_1(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice1shift_search_0_1(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_1(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_1(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice1shift_search_0_1(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_1(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_1(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice1shift_search_0_1(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_1(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_1(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice1shift_search_0_1(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_1(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_1(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice1shift_search_0_1(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_1(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_1(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice1shift_search_0_1(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_1(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_1(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice1shift_search_0_1(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_1(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_1(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice1shift_search_0_1(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_1(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_1(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice1shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_1(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_2_count_0 <= as_number(((to_integer(slice1shift_search_0_2(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_2_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_2_count_0_choice_2);
-      slice1cost_pixels_first_0_2_count_1 <= as_number(slice1cost_pixels_first_0_2_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_2(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_2(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_2_count_1 <= as_number(((to_integer(slice1shift_search_0_2(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_2(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_2(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_2_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_2(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_2_count_2_choice) + as_number(slice1cost_pixels_first_0_2_count_2_choice_2);
-      slice1cost_pixels_first_0_2_count_3 <= as_number(slice1cost_pixels_first_0_2_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_3_choice_3);
-      slice1cost_pixels_first_0_2_count_4 <= as_number(slice1cost_pixels_first_0_2_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_4_choice_3);
-      slice1cost_pixels_first_0_2_count_5 <= as_number(slice1cost_pixels_first_0_2_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_5_choice_3);
-      slice1cost_pixels_first_0_2_count_6 <= as_number(slice1cost_pixels_first_0_2_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_6_choice_3);
-      slice1cost_pixels_first_0_2_count_7 <= as_number(slice1cost_pixels_first_0_2_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_7_choice_3);
-      slice1cost_pixels_first_0_2_count_8 <= as_number(slice1cost_pixels_first_0_2_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_8_choice_3);
-      slice1cost_pixels_first_0_2_count_9 <= as_number(slice1cost_pixels_first_0_2_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_9_choice_3);
-      slice1cost_pixels_first_0_2_count_10 <= as_number(slice1cost_pixels_first_0_2_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_10_choice_3);
-      slice1cost_pixels_first_0_2_count_11 <= as_number(slice1cost_pixels_first_0_2_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_11_choice_3);
-      slice1cost_pixels_first_0_2_count_12 <= as_number(slice1cost_pixels_first_0_2_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_12_choice_3);
-      slice1cost_pixels_first_0_2_count_13 <= as_number(slice1cost_pixels_first_0_2_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_2_count_13_choice_3);
-      slice1cost_pixels_first_0_2_count_14 <= as_number(slice1cost_pixels_first_0_2_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_2_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_2(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_2(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_2_count_3 <= as_number(((to_integer(slice1shift_search_0_2(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_2(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_2(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_2_count_4 <= as_number(((to_integer(slice1shift_search_0_2(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_2(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_2(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_2_count_5 <= as_number(((to_integer(slice1shift_search_0_2(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_2(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_2(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_2_count_6 <= as_number(((to_integer(slice1shift_search_0_2(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_2(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_2(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_2_count_7 <= as_number(((to_integer(slice1shift_search_0_2(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_2(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_2(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_2_count_8 <= as_number(((to_integer(slice1shift_search_0_2(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_2(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_2(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_2_count_9 <= as_number(((to_integer(slice1shift_search_0_2(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_2(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_2(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_2_count_10 <= as_number(((to_integer(slice1shift_search_0_2(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_2(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_2(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_2_count_11 <= as_number(((to_integer(slice1shift_search_0_2(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_2(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_2(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_2_count_12 <= as_number(((to_integer(slice1shift_search_0_2(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_2(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_2(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_2_count_13 <= as_number(((to_integer(slice1shift_search_0_2(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_2(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_2(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_2_count_14 <= as_number(((to_integer(slice1shift_search_0_2(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_2(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_3_count_0 <= as_number(((to_integer(slice1shift_search_0_3(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_3_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_3_count_0_choice_2);
-      slice1cost_pixels_first_0_3_count_1 <= as_number(slice1cost_pixels_first_0_3_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_3(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_3(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_3_count_1 <= as_number(((to_integer(slice1shift_search_0_3(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_3(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_3(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_3_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_3(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_3_count_2_choice) + as_number(slice1cost_pixels_first_0_3_count_2_choice_2);
-      slice1cost_pixels_first_0_3_count_3 <= as_number(slice1cost_pixels_first_0_3_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_3_choice_3);
-      slice1cost_pixels_first_0_3_count_4 <= as_number(slice1cost_pixels_first_0_3_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_4_choice_3);
-      slice1cost_pixels_first_0_3_count_5 <= as_number(slice1cost_pixels_first_0_3_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_5_choice_3);
-      slice1cost_pixels_first_0_3_count_6 <= as_number(slice1cost_pixels_first_0_3_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_6_choice_3);
-      slice1cost_pixels_first_0_3_count_7 <= as_number(slice1cost_pixels_first_0_3_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_7_choice_3);
-      slice1cost_pixels_first_0_3_count_8 <= as_number(slice1cost_pixels_first_0_3_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_8_choice_3);
-      slice1cost_pixels_first_0_3_count_9 <= as_number(slice1cost_pixels_first_0_3_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_9_choice_3);
-      slice1cost_pixels_first_0_3_count_10 <= as_number(slice1cost_pixels_first_0_3_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_10_choice_3);
-      slice1cost_pixels_first_0_3_count_11 <= as_number(slice1cost_pixels_first_0_3_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_11_choice_3);
-      slice1cost_pixels_first_0_3_count_12 <= as_number(slice1cost_pixels_first_0_3_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_12_choice_3);
-      slice1cost_pixels_first_0_3_count_13 <= as_number(slice1cost_pixels_first_0_3_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_3_count_13_choice_3);
-      slice1cost_pixels_first_0_3_count_14 <= as_number(slice1cost_pixels_first_0_3_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_3_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_3(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_3(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_3_count_3 <= as_number(((to_integer(slice1shift_search_0_3(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_3(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_3(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_3_count_4 <= as_number(((to_integer(slice1shift_search_0_3(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_3(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_3(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_3_count_5 <= as_number(((to_integer(slice1shift_search_0_3(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_3(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_3(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_3_count_6 <= as_number(((to_integer(slice1shift_search_0_3(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_3(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_3(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_3_count_7 <= as_number(((to_integer(slice1shift_search_0_3(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_3(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_3(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_3_count_8 <= as_number(((to_integer(slice1shift_search_0_3(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_3(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_3(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_3_count_9 <= as_number(((to_integer(slice1shift_search_0_3(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_3(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_3(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_3_count_10 <= as_number(((to_integer(slice1shift_search_0_3(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_3(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_3(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_3_count_11 <= as_number(((to_integer(slice1shift_search_0_3(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_3(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_3(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_3_count_12 <= as_number(((to_integer(slice1shift_search_0_3(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_3(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_3(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_3_count_13 <= as_number(((to_integer(slice1shift_search_0_3(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_3(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_3(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_3_count_14 <= as_number(((to_integer(slice1shift_search_0_3(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_3(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_first_0_4_count_0 <= as_number(((to_integer(slice1shift_search_0_4(0 downto 0)) = 1) /=
-        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(slice1cost_pixels_first_0_4_count_0_choice)
-        + as_number(slice1cost_pixels_first_0_4_count_0_choice_2);
-      slice1cost_pixels_first_0_4_count_1 <= as_number(slice1cost_pixels_first_0_4_count_1_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_1_choice_3);
+        (to_integer(slice1shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice1shift_search_0_4(2
+        downto 2)) = 1) /= slice1cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice1shift_search_0_4(1 downto 1)) = 1) /=
+        slice1cost_pixels_first_0_0_count_0_value_2));
+      slice1cost_pixels_first_0_4_count_1 <= as_number(((to_integer(slice1shift_search_0_4(3 downto 3)) = 1) /=
+        slice1cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice1shift_search_0_4(5 downto 5)) = 1)
+        /= slice1cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice1shift_search_0_4(4 downto 4)) =
+        1) /= slice1cost_pixels_first_0_0_count_1_value_3));
       slice1cost_pixels_first_0_4_count_2 <= (to_integer(((to_unsigned(to_integer(slice1shift_search_0_4(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice1shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice1cost_pixels_first_0_4_count_2_choice) + as_number(slice1cost_pixels_first_0_4_count_2_choice_2);
-      slice1cost_pixels_first_0_4_count_3 <= as_number(slice1cost_pixels_first_0_4_count_3_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_3_choice_3);
-      slice1cost_pixels_first_0_4_count_4 <= as_number(slice1cost_pixels_first_0_4_count_4_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_4_choice_3);
-      slice1cost_pixels_first_0_4_count_5 <= as_number(slice1cost_pixels_first_0_4_count_5_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_5_choice_3);
-      slice1cost_pixels_first_0_4_count_6 <= as_number(slice1cost_pixels_first_0_4_count_6_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_6_choice_3);
-      slice1cost_pixels_first_0_4_count_7 <= as_number(slice1cost_pixels_first_0_4_count_7_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_7_choice_3);
-      slice1cost_pixels_first_0_4_count_8 <= as_number(slice1cost_pixels_first_0_4_count_8_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_8_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_8_choice_3);
-      slice1cost_pixels_first_0_4_count_9 <= as_number(slice1cost_pixels_first_0_4_count_9_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_9_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_9_choice_3);
-      slice1cost_pixels_first_0_4_count_10 <= as_number(slice1cost_pixels_first_0_4_count_10_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_10_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_10_choice_3);
-      slice1cost_pixels_first_0_4_count_11 <= as_number(slice1cost_pixels_first_0_4_count_11_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_11_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_11_choice_3);
-      slice1cost_pixels_first_0_4_count_12 <= as_number(slice1cost_pixels_first_0_4_count_12_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_12_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_12_choice_3);
-      slice1cost_pixels_first_0_4_count_13 <= as_number(slice1cost_pixels_first_0_4_count_13_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_13_choice_2) +
-        as_number(slice1cost_pixels_first_0_4_count_13_choice_3);
-      slice1cost_pixels_first_0_4_count_14 <= as_number(slice1cost_pixels_first_0_4_count_14_choice) +
-        as_number(slice1cost_pixels_first_0_4_count_14_choice_2);
+        as_number(((to_integer(slice1shift_search_0_4(8 downto 8)) = 1) /= slice1cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice1shift_search_0_4(6 downto 6)) = 1) /=
+        slice1cost_pixels_first_0_0_count_2_value_2));
+      slice1cost_pixels_first_0_4_count_3 <= as_number(((to_integer(slice1shift_search_0_4(9 downto 9)) = 1) /=
+        slice1cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice1shift_search_0_4(11 downto 11)) = 1)
+        /= slice1cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice1shift_search_0_4(10 downto 10))
+        = 1) /= slice1cost_pixels_first_0_0_count_3_value_3));
+      slice1cost_pixels_first_0_4_count_4 <= as_number(((to_integer(slice1shift_search_0_4(12 downto 12)) = 1) /=
+        slice1cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice1shift_search_0_4(14 downto 14)) = 1)
+        /= slice1cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice1shift_search_0_4(13 downto 13))
+        = 1) /= slice1cost_pixels_first_0_0_count_4_value_3));
+      slice1cost_pixels_first_0_4_count_5 <= as_number(((to_integer(slice1shift_search_0_4(15 downto 15)) = 1) /=
+        slice1cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice1shift_search_0_4(17 downto 17)) = 1)
+        /= slice1cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice1shift_search_0_4(16 downto 16))
+        = 1) /= slice1cost_pixels_first_0_0_count_5_value_3));
+      slice1cost_pixels_first_0_4_count_6 <= as_number(((to_integer(slice1shift_search_0_4(18 downto 18)) = 1) /=
+        slice1cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice1shift_search_0_4(20 downto 20)) = 1)
+        /= slice1cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice1shift_search_0_4(19 downto 19))
+        = 1) /= slice1cost_pixels_first_0_0_count_6_value_3));
+      slice1cost_pixels_first_0_4_count_7 <= as_number(((to_integer(slice1shift_search_0_4(21 downto 21)) = 1) /=
+        slice1cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice1shift_search_0_4(23 downto 23)) = 1)
+        /= slice1cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice1shift_search_0_4(22 downto 22))
+        = 1) /= slice1cost_pixels_first_0_0_count_7_value_3));
+      slice1cost_pixels_first_0_4_count_8 <= as_number(((to_integer(slice1shift_search_0_4(24 downto 24)) = 1) /=
+        slice1cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice1shift_search_0_4(26 downto 26)) = 1)
+        /= slice1cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice1shift_search_0_4(25 downto 25))
+        = 1) /= slice1cost_pixels_first_0_0_count_8_value_3));
+      slice1cost_pixels_first_0_4_count_9 <= as_number(((to_integer(slice1shift_search_0_4(27 downto 27)) = 1) /=
+        slice1cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice1shift_search_0_4(29 downto 29)) = 1)
+        /= slice1cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice1shift_search_0_4(28 downto 28))
+        = 1) /= slice1cost_pixels_first_0_0_count_9_value_3));
+      slice1cost_pixels_first_0_4_count_10 <= as_number(((to_integer(slice1shift_search_0_4(30 downto 30)) = 1) /=
+        slice1cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice1shift_search_0_4(32 downto 32)) =
+        1) /= slice1cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice1shift_search_0_4(31 downto
+        31)) = 1) /= slice1cost_pixels_first_0_0_count_10_value_3));
+      slice1cost_pixels_first_0_4_count_11 <= as_number(((to_integer(slice1shift_search_0_4(33 downto 33)) = 1) /=
+        slice1cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice1shift_search_0_4(35 downto 35)) =
+        1) /= slice1cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice1shift_search_0_4(34 downto
+        34)) = 1) /= slice1cost_pixels_first_0_0_count_11_value_3));
+      slice1cost_pixels_first_0_4_count_12 <= as_number(((to_integer(slice1shift_search_0_4(36 downto 36)) = 1) /=
+        slice1cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice1shift_search_0_4(38 downto 38)) =
+        1) /= slice1cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice1shift_search_0_4(37 downto
+        37)) = 1) /= slice1cost_pixels_first_0_0_count_12_value_3));
+      slice1cost_pixels_first_0_4_count_13 <= as_number(((to_integer(slice1shift_search_0_4(39 downto 39)) = 1) /=
+        slice1cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice1shift_search_0_4(41 downto 41)) =
+        1) /= slice1cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice1shift_search_0_4(40 downto
+        40)) = 1) /= slice1cost_pixels_first_0_0_count_13_value_3));
+      slice1cost_pixels_first_0_4_count_14 <= as_number(((to_integer(slice1shift_search_0_4(43 downto 43)) = 1) /=
+        (to_integer(slice1shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice1shift_search_0_4(42
+        downto 42)) = 1) /= slice1cost_pixels_first_0_0_count_14_value));
       slice1cost_pixels_cost_0_0 <= slice1cost_pixels_first_0_0_count_3 + slice1cost_pixels_first_0_0_count_7 +
         slice1cost_pixels_first_0_0_count_12 + slice1cost_pixels_first_0_0_count_6 +
         slice1cost_pixels_first_0_0_count_9 + slice1cost_pixels_first_0_0_count_14 +
@@ -5440,6 +4406,11 @@ begin
         slice1cost_pixels_first_0_4_count_10 + slice1cost_pixels_first_0_4_count_4 +
         slice1cost_pixels_first_0_4_count_8 + slice1cost_pixels_first_0_4_count_1 + slice1cost_pixels_first_0_4_count_5
         + slice1cost_pixels_first_0_4_count_0 + slice1cost_pixels_first_0_4_count_13;
+      slice1cost_single_0_0 <= slice1cost_pixels_cost_0_0;
+      slice1cost_single_0_1 <= slice1cost_pixels_cost_0_1;
+      slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
+      slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
+      slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
       -- slice1
       slice1_held_0_0 <= other_12 / 4;
       slice1_held_0_1 <= other_11 / 4;
@@ -5459,343 +4430,181 @@ begin
       slice2shift_reference_0 <= slice1shift_reference_0;
       -- slice2cost
       slice2cost_pixels_first_0_0_count_0_value := to_integer(slice2shift_reference_0(2 downto 2)) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_2 := to_integer(slice2shift_search_0_0(2 downto 2)) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value_2 when
-        slice2cost_pixels_first_0_0_count_0_value else slice2cost_pixels_first_0_0_count_0_value_2;
-      slice2cost_pixels_first_0_0_count_0_value_3 := to_integer(slice2shift_reference_0(1 downto 1)) = 1;
-      slice2cost_pixels_first_0_0_count_0_value_4 := to_integer(slice2shift_search_0_0(1 downto 1)) = 1;
-      slice2cost_pixels_first_0_0_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_4 when
-        slice2cost_pixels_first_0_0_count_0_value_3 else slice2cost_pixels_first_0_0_count_0_value_4;
+      slice2cost_pixels_first_0_0_count_0_value_2 := to_integer(slice2shift_reference_0(1 downto 1)) = 1;
       slice2cost_pixels_first_0_0_count_1_value := to_integer(slice2shift_reference_0(3 downto 3)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_2 := to_integer(slice2shift_search_0_0(3 downto 3)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value_2 when
-        slice2cost_pixels_first_0_0_count_1_value else slice2cost_pixels_first_0_0_count_1_value_2;
-      slice2cost_pixels_first_0_0_count_1_value_3 := to_integer(slice2shift_reference_0(5 downto 5)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_4 := to_integer(slice2shift_search_0_0(5 downto 5)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_4 when
-        slice2cost_pixels_first_0_0_count_1_value_3 else slice2cost_pixels_first_0_0_count_1_value_4;
-      slice2cost_pixels_first_0_0_count_1_value_5 := to_integer(slice2shift_reference_0(4 downto 4)) = 1;
-      slice2cost_pixels_first_0_0_count_1_value_6 := to_integer(slice2shift_search_0_0(4 downto 4)) = 1;
-      slice2cost_pixels_first_0_0_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_6 when
-        slice2cost_pixels_first_0_0_count_1_value_5 else slice2cost_pixels_first_0_0_count_1_value_6;
+      slice2cost_pixels_first_0_0_count_1_value_2 := to_integer(slice2shift_reference_0(5 downto 5)) = 1;
+      slice2cost_pixels_first_0_0_count_1_value_3 := to_integer(slice2shift_reference_0(4 downto 4)) = 1;
       slice2cost_pixels_first_0_0_count_2_value := to_integer(slice2shift_reference_0(8 downto 8)) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_2 := to_integer(slice2shift_search_0_0(8 downto 8)) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value_2 when
-        slice2cost_pixels_first_0_0_count_2_value else slice2cost_pixels_first_0_0_count_2_value_2;
-      slice2cost_pixels_first_0_0_count_2_value_3 := to_integer(slice2shift_reference_0(6 downto 6)) = 1;
-      slice2cost_pixels_first_0_0_count_2_value_4 := to_integer(slice2shift_search_0_0(6 downto 6)) = 1;
-      slice2cost_pixels_first_0_0_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_4 when
-        slice2cost_pixels_first_0_0_count_2_value_3 else slice2cost_pixels_first_0_0_count_2_value_4;
+      slice2cost_pixels_first_0_0_count_2_value_2 := to_integer(slice2shift_reference_0(6 downto 6)) = 1;
       slice2cost_pixels_first_0_0_count_3_value := to_integer(slice2shift_reference_0(9 downto 9)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_2 := to_integer(slice2shift_search_0_0(9 downto 9)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value_2 when
-        slice2cost_pixels_first_0_0_count_3_value else slice2cost_pixels_first_0_0_count_3_value_2;
-      slice2cost_pixels_first_0_0_count_3_value_3 := to_integer(slice2shift_reference_0(11 downto 11)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_4 := to_integer(slice2shift_search_0_0(11 downto 11)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_4 when
-        slice2cost_pixels_first_0_0_count_3_value_3 else slice2cost_pixels_first_0_0_count_3_value_4;
-      slice2cost_pixels_first_0_0_count_3_value_5 := to_integer(slice2shift_reference_0(10 downto 10)) = 1;
-      slice2cost_pixels_first_0_0_count_3_value_6 := to_integer(slice2shift_search_0_0(10 downto 10)) = 1;
-      slice2cost_pixels_first_0_0_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_6 when
-        slice2cost_pixels_first_0_0_count_3_value_5 else slice2cost_pixels_first_0_0_count_3_value_6;
+      slice2cost_pixels_first_0_0_count_3_value_2 := to_integer(slice2shift_reference_0(11 downto 11)) = 1;
+      slice2cost_pixels_first_0_0_count_3_value_3 := to_integer(slice2shift_reference_0(10 downto 10)) = 1;
       slice2cost_pixels_first_0_0_count_4_value := to_integer(slice2shift_reference_0(12 downto 12)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_2 := to_integer(slice2shift_search_0_0(12 downto 12)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value_2 when
-        slice2cost_pixels_first_0_0_count_4_value else slice2cost_pixels_first_0_0_count_4_value_2;
-      slice2cost_pixels_first_0_0_count_4_value_3 := to_integer(slice2shift_reference_0(14 downto 14)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_4 := to_integer(slice2shift_search_0_0(14 downto 14)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_4 when
-        slice2cost_pixels_first_0_0_count_4_value_3 else slice2cost_pixels_first_0_0_count_4_value_4;
-      slice2cost_pixels_first_0_0_count_4_value_5 := to_integer(slice2shift_reference_0(13 downto 13)) = 1;
-      slice2cost_pixels_first_0_0_count_4_value_6 := to_integer(slice2shift_search_0_0(13 downto 13)) = 1;
-      slice2cost_pixels_first_0_0_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_6 when
-        slice2cost_pixels_first_0_0_count_4_value_5 else slice2cost_pixels_first_0_0_count_4_value_6;
+      slice2cost_pixels_first_0_0_count_4_value_2 := to_integer(slice2shift_reference_0(14 downto 14)) = 1;
+      slice2cost_pixels_first_0_0_count_4_value_3 := to_integer(slice2shift_reference_0(13 downto 13)) = 1;
       slice2cost_pixels_first_0_0_count_5_value := to_integer(slice2shift_reference_0(15 downto 15)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_2 := to_integer(slice2shift_search_0_0(15 downto 15)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value_2 when
-        slice2cost_pixels_first_0_0_count_5_value else slice2cost_pixels_first_0_0_count_5_value_2;
-      slice2cost_pixels_first_0_0_count_5_value_3 := to_integer(slice2shift_reference_0(17 downto 17)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_4 := to_integer(slice2shift_search_0_0(17 downto 17)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_4 when
-        slice2cost_pixels_first_0_0_count_5_value_3 else slice2cost_pixels_first_0_0_count_5_value_4;
-      slice2cost_pixels_first_0_0_count_5_value_5 := to_integer(slice2shift_reference_0(16 downto 16)) = 1;
-      slice2cost_pixels_first_0_0_count_5_value_6 := to_integer(slice2shift_search_0_0(16 downto 16)) = 1;
-      slice2cost_pixels_first_0_0_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_6 when
-        slice2cost_pixels_first_0_0_count_5_value_5 else slice2cost_pixels_first_0_0_count_5_value_6;
+      slice2cost_pixels_first_0_0_count_5_value_2 := to_integer(slice2shift_reference_0(17 downto 17)) = 1;
+      slice2cost_pixels_first_0_0_count_5_value_3 := to_integer(slice2shift_reference_0(16 downto 16)) = 1;
       slice2cost_pixels_first_0_0_count_6_value := to_integer(slice2shift_reference_0(18 downto 18)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_2 := to_integer(slice2shift_search_0_0(18 downto 18)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value_2 when
-        slice2cost_pixels_first_0_0_count_6_value else slice2cost_pixels_first_0_0_count_6_value_2;
-      slice2cost_pixels_first_0_0_count_6_value_3 := to_integer(slice2shift_reference_0(20 downto 20)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_4 := to_integer(slice2shift_search_0_0(20 downto 20)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_4 when
-        slice2cost_pixels_first_0_0_count_6_value_3 else slice2cost_pixels_first_0_0_count_6_value_4;
-      slice2cost_pixels_first_0_0_count_6_value_5 := to_integer(slice2shift_reference_0(19 downto 19)) = 1;
-      slice2cost_pixels_first_0_0_count_6_value_6 := to_integer(slice2shift_search_0_0(19 downto 19)) = 1;
-      slice2cost_pixels_first_0_0_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_6 when
-        slice2cost_pixels_first_0_0_count_6_value_5 else slice2cost_pixels_first_0_0_count_6_value_6;
+      slice2cost_pixels_first_0_0_count_6_value_2 := to_integer(slice2shift_reference_0(20 downto 20)) = 1;
+      slice2cost_pixels_first_0_0_count_6_value_3 := to_integer(slice2shift_reference_0(19 downto 19)) = 1;
       slice2cost_pixels_first_0_0_count_7_value := to_integer(slice2shift_reference_0(21 downto 21)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_2 := to_integer(slice2shift_search_0_0(21 downto 21)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value_2 when
-        slice2cost_pixels_first_0_0_count_7_value else slice2cost_pixels_first_0_0_count_7_value_2;
-      slice2cost_pixels_first_0_0_count_7_value_3 := to_integer(slice2shift_reference_0(23 downto 23)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_4 := to_integer(slice2shift_search_0_0(23 downto 23)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_4 when
-        slice2cost_pixels_first_0_0_count_7_value_3 else slice2cost_pixels_first_0_0_count_7_value_4;
-      slice2cost_pixels_first_0_0_count_7_value_5 := to_integer(slice2shift_reference_0(22 downto 22)) = 1;
-      slice2cost_pixels_first_0_0_count_7_value_6 := to_integer(slice2shift_search_0_0(22 downto 22)) = 1;
-      slice2cost_pixels_first_0_0_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_6 when
-        slice2cost_pixels_first_0_0_count_7_value_5 else slice2cost_pixels_first_0_0_count_7_value_6;
+      slice2cost_pixels_first_0_0_count_7_value_2 := to_integer(slice2shift_reference_0(23 downto 23)) = 1;
+      slice2cost_pixels_first_0_0_count_7_value_3 := to_integer(slice2shift_reference_0(22 downto 22)) = 1;
       slice2cost_pixels_first_0_0_count_8_value := to_integer(slice2shift_reference_0(24 downto 24)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_2 := to_integer(slice2shift_search_0_0(24 downto 24)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value_2 when
-        slice2cost_pixels_first_0_0_count_8_value else slice2cost_pixels_first_0_0_count_8_value_2;
-      slice2cost_pixels_first_0_0_count_8_value_3 := to_integer(slice2shift_reference_0(26 downto 26)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_4 := to_integer(slice2shift_search_0_0(26 downto 26)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_4 when
-        slice2cost_pixels_first_0_0_count_8_value_3 else slice2cost_pixels_first_0_0_count_8_value_4;
-      slice2cost_pixels_first_0_0_count_8_value_5 := to_integer(slice2shift_reference_0(25 downto 25)) = 1;
-      slice2cost_pixels_first_0_0_count_8_value_6 := to_integer(slice2shift_search_0_0(25 downto 25)) = 1;
-      slice2cost_pixels_first_0_0_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_6 when
-        slice2cost_pixels_first_0_0_count_8_value_5 else slice2cost_pixels_first_0_0_count_8_value_6;
+      slice2cost_pixels_first_0_0_count_8_value_2 := to_integer(slice2shift_reference_0(26 downto 26)) = 1;
+      slice2cost_pixels_first_0_0_count_8_value_3 := to_integer(slice2shift_reference_0(25 downto 25)) = 1;
       slice2cost_pixels_first_0_0_count_9_value := to_integer(slice2shift_reference_0(27 downto 27)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_2 := to_integer(slice2shift_search_0_0(27 downto 27)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value_2 when
-        slice2cost_pixels_first_0_0_count_9_value else slice2cost_pixels_first_0_0_count_9_value_2;
-      slice2cost_pixels_first_0_0_count_9_value_3 := to_integer(slice2shift_reference_0(29 downto 29)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_4 := to_integer(slice2shift_search_0_0(29 downto 29)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_4 when
-        slice2cost_pixels_first_0_0_count_9_value_3 else slice2cost_pixels_first_0_0_count_9_value_4;
-      slice2cost_pixels_first_0_0_count_9_value_5 := to_integer(slice2shift_reference_0(28 downto 28)) = 1;
-      slice2cost_pixels_first_0_0_count_9_value_6 := to_integer(slice2shift_search_0_0(28 downto 28)) = 1;
-      slice2cost_pixels_first_0_0_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_6 when
-        slice2cost_pixels_first_0_0_count_9_value_5 else slice2cost_pixels_first_0_0_count_9_value_6;
+      slice2cost_pixels_first_0_0_count_9_value_2 := to_integer(slice2shift_reference_0(29 downto 29)) = 1;
+      slice2cost_pixels_first_0_0_count_9_value_3 := to_integer(slice2shift_reference_0(28 downto 28)) = 1;
       slice2cost_pixels_first_0_0_count_10_value := to_integer(slice2shift_reference_0(30 downto 30)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_2 := to_integer(slice2shift_search_0_0(30 downto 30)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value_2 when
-        slice2cost_pixels_first_0_0_count_10_value else slice2cost_pixels_first_0_0_count_10_value_2;
-      slice2cost_pixels_first_0_0_count_10_value_3 := to_integer(slice2shift_reference_0(32 downto 32)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_4 := to_integer(slice2shift_search_0_0(32 downto 32)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_4 when
-        slice2cost_pixels_first_0_0_count_10_value_3 else slice2cost_pixels_first_0_0_count_10_value_4;
-      slice2cost_pixels_first_0_0_count_10_value_5 := to_integer(slice2shift_reference_0(31 downto 31)) = 1;
-      slice2cost_pixels_first_0_0_count_10_value_6 := to_integer(slice2shift_search_0_0(31 downto 31)) = 1;
-      slice2cost_pixels_first_0_0_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_6 when
-        slice2cost_pixels_first_0_0_count_10_value_5 else slice2cost_pixels_first_0_0_count_10_value_6;
+      slice2cost_pixels_first_0_0_count_10_value_2 := to_integer(slice2shift_reference_0(32 downto 32)) = 1;
+      slice2cost_pixels_first_0_0_count_10_value_3 := to_integer(slice2shift_reference_0(31 downto 31)) = 1;
       slice2cost_pixels_first_0_0_count_11_value := to_integer(slice2shift_reference_0(33 downto 33)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_2 := to_integer(slice2shift_search_0_0(33 downto 33)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value_2 when
-        slice2cost_pixels_first_0_0_count_11_value else slice2cost_pixels_first_0_0_count_11_value_2;
-      slice2cost_pixels_first_0_0_count_11_value_3 := to_integer(slice2shift_reference_0(35 downto 35)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_4 := to_integer(slice2shift_search_0_0(35 downto 35)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_4 when
-        slice2cost_pixels_first_0_0_count_11_value_3 else slice2cost_pixels_first_0_0_count_11_value_4;
-      slice2cost_pixels_first_0_0_count_11_value_5 := to_integer(slice2shift_reference_0(34 downto 34)) = 1;
-      slice2cost_pixels_first_0_0_count_11_value_6 := to_integer(slice2shift_search_0_0(34 downto 34)) = 1;
-      slice2cost_pixels_first_0_0_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_6 when
-        slice2cost_pixels_first_0_0_count_11_value_5 else slice2cost_pixels_first_0_0_count_11_value_6;
+      slice2cost_pixels_first_0_0_count_11_value_2 := to_integer(slice2shift_reference_0(35 downto 35)) = 1;
+      slice2cost_pixels_first_0_0_count_11_value_3 := to_integer(slice2shift_reference_0(34 downto 34)) = 1;
       slice2cost_pixels_first_0_0_count_12_value := to_integer(slice2shift_reference_0(36 downto 36)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_2 := to_integer(slice2shift_search_0_0(36 downto 36)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value_2 when
-        slice2cost_pixels_first_0_0_count_12_value else slice2cost_pixels_first_0_0_count_12_value_2;
-      slice2cost_pixels_first_0_0_count_12_value_3 := to_integer(slice2shift_reference_0(38 downto 38)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_4 := to_integer(slice2shift_search_0_0(38 downto 38)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_4 when
-        slice2cost_pixels_first_0_0_count_12_value_3 else slice2cost_pixels_first_0_0_count_12_value_4;
-      slice2cost_pixels_first_0_0_count_12_value_5 := to_integer(slice2shift_reference_0(37 downto 37)) = 1;
-      slice2cost_pixels_first_0_0_count_12_value_6 := to_integer(slice2shift_search_0_0(37 downto 37)) = 1;
-      slice2cost_pixels_first_0_0_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_6 when
-        slice2cost_pixels_first_0_0_count_12_value_5 else slice2cost_pixels_first_0_0_count_12_value_6;
+      slice2cost_pixels_first_0_0_count_12_value_2 := to_integer(slice2shift_reference_0(38 downto 38)) = 1;
+      slice2cost_pixels_first_0_0_count_12_value_3 := to_integer(slice2shift_reference_0(37 downto 37)) = 1;
       slice2cost_pixels_first_0_0_count_13_value := to_integer(slice2shift_reference_0(39 downto 39)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_2 := to_integer(slice2shift_search_0_0(39 downto 39)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value_2 when
-        slice2cost_pixels_first_0_0_count_13_value else slice2cost_pixels_first_0_0_count_13_value_2;
-      slice2cost_pixels_first_0_0_count_13_value_3 := to_integer(slice2shift_reference_0(41 downto 41)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_4 := to_integer(slice2shift_search_0_0(41 downto 41)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_4 when
-        slice2cost_pixels_first_0_0_count_13_value_3 else slice2cost_pixels_first_0_0_count_13_value_4;
-      slice2cost_pixels_first_0_0_count_13_value_5 := to_integer(slice2shift_reference_0(40 downto 40)) = 1;
-      slice2cost_pixels_first_0_0_count_13_value_6 := to_integer(slice2shift_search_0_0(40 downto 40)) = 1;
-      slice2cost_pixels_first_0_0_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_6 when
-        slice2cost_pixels_first_0_0_count_13_value_5 else slice2cost_pixels_first_0_0_count_13_value_6;
-      slice2cost_pixels_first_0_0_count_14_choice := not (to_integer(slice2shift_search_0_0(43 downto 43)) = 1) when
-        to_integer(slice2shift_reference_0(43 downto 43)) = 1 else to_integer(slice2shift_search_0_0(43 downto 43)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_2 := to_integer(slice2shift_reference_0(41 downto 41)) = 1;
+      slice2cost_pixels_first_0_0_count_13_value_3 := to_integer(slice2shift_reference_0(40 downto 40)) = 1;
       slice2cost_pixels_first_0_0_count_14_value := to_integer(slice2shift_reference_0(42 downto 42)) = 1;
-      slice2cost_pixels_first_0_0_count_14_value_2 := to_integer(slice2shift_search_0_0(42 downto 42)) = 1;
-      slice2cost_pixels_first_0_0_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value_2 when
-        slice2cost_pixels_first_0_0_count_14_value else slice2cost_pixels_first_0_0_count_14_value_2;
-      slice2cost_pixels_first_0_1_count_0_choice := not slice2cost_pixels_first_0_0_count_0_value when
-        to_integer(slice2shift_search_0_1(2 downto 2)) = 1 else slice2cost_pixels_first_0_0_count_0_value;
-      slice2cost_pixels_first_0_1_count_0_choice_2 := not slice2cost_pixels_first_0_0_count_0_value_3 when
-        to_integer(slice2shift_search_0_1(1 downto 1)) = 1 else slice2cost_pixels_first_0_0_count_0_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice := not slice2cost_pixels_first_0_0_count_1_value when
-        to_integer(slice2shift_search_0_1(3 downto 3)) = 1 else slice2cost_pixels_first_0_0_count_1_value;
-      slice2cost_pixels_first_0_1_count_1_choice_2 := not slice2cost_pixels_first_0_0_count_1_value_3 when
-        to_integer(slice2shift_search_0_1(5 downto 5)) = 1 else slice2cost_pixels_first_0_0_count_1_value_3;
-      slice2cost_pixels_first_0_1_count_1_choice_3 := not slice2cost_pixels_first_0_0_count_1_value_5 when
-        to_integer(slice2shift_search_0_1(4 downto 4)) = 1 else slice2cost_pixels_first_0_0_count_1_value_5;
-      slice2cost_pixels_first_0_1_count_2_choice := not slice2cost_pixels_first_0_0_count_2_value when
-        to_integer(slice2shift_search_0_1(8 downto 8)) = 1 else slice2cost_pixels_first_0_0_count_2_value;
-      slice2cost_pixels_first_0_1_count_2_choice_2 := not slice2cost_pixels_first_0_0_count_2_value_3 when
-        to_integer(slice2shift_search_0_1(6 downto 6)) = 1 else slice2cost_pixels_first_0_0_count_2_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice := not slice2cost_pixels_first_0_0_count_3_value when
-        to_integer(slice2shift_search_0_1(9 downto 9)) = 1 else slice2cost_pixels_first_0_0_count_3_value;
-      slice2cost_pixels_first_0_1_count_3_choice_2 := not slice2cost_pixels_first_0_0_count_3_value_3 when
-        to_integer(slice2shift_search_0_1(11 downto 11)) = 1 else slice2cost_pixels_first_0_0_count_3_value_3;
-      slice2cost_pixels_first_0_1_count_3_choice_3 := not slice2cost_pixels_first_0_0_count_3_value_5 when
-        to_integer(slice2shift_search_0_1(10 downto 10)) = 1 else slice2cost_pixels_first_0_0_count_3_value_5;
-      slice2cost_pixels_first_0_1_count_4_choice := not slice2cost_pixels_first_0_0_count_4_value when
-        to_integer(slice2shift_search_0_1(12 downto 12)) = 1 else slice2cost_pixels_first_0_0_count_4_value;
-      slice2cost_pixels_first_0_1_count_4_choice_2 := not slice2cost_pixels_first_0_0_count_4_value_3 when
-        to_integer(slice2shift_search_0_1(14 downto 14)) = 1 else slice2cost_pixels_first_0_0_count_4_value_3;
-      slice2cost_pixels_first_0_1_count_4_choice_3 := not slice2cost_pixels_first_0_0_count_4_value_5 when
-        to_integer(slice2shift_search_0_1(13 downto 13)) = 1 else slice2cost_pixels_first_0_0_count_4_value_5;
-      slice2cost_pixels_first_0_1_count_5_choice := not slice2cost_pixels_first_0_0_count_5_value when
-        to_integer(slice2shift_search_0_1(15 downto 15)) = 1 else slice2cost_pixels_first_0_0_count_5_value;
-      slice2cost_pixels_first_0_1_count_5_choice_2 := not slice2cost_pixels_first_0_0_count_5_value_3 when
-        to_integer(slice2shift_search_0_1(17 downto 17)) = 1 else slice2cost_pixels_first_0_0_count_5_value_3;
-      slice2cost_pixels_first_0_1_count_5_choice_3 := not slice2cost_pixels_first_0_0_count_5_value_5 when
-        to_integer(slice2shift_search_0_1(16 downto 16)) = 1 else slice2cost_pixels_first_0_0_count_5_value_5;
-      slice2cost_pixels_first_0_1_count_6_choice := not slice2cost_pixels_first_0_0_count_6_value when
-        to_integer(slice2shift_search_0_1(18 downto 18)) = 1 else slice2cost_pixels_first_0_0_count_6_value;
-      slice2cost_pixels_first_0_1_count_6_choice_2 := not slice2cost_pixels_first_0_0_count_6_value_3 when
-        to_integer(slice2shift_search_0_1(20 downto 20)) = 1 else slice2cost_pixels_first_0_0_count_6_value_3;
-      slice2cost_pixels_first_0_1_count_6_choice_3 := not slice2cost_pixels_first_0_0_count_6_value_5 when
-        to_integer(slice2shift_search_0_1(19 downto 19)) = 1 else slice2cost_pixels_first_0_0_count_6_value_5;
-      slice2cost_pixels_first_0_1_count_7_choice := not slice2cost_pixels_first_0_0_count_7_value when
-        to_integer(slice2shift_search_0_1(21 downto 21)) = 1 else slice2cost_pixels_first_0_0_count_7_value;
-      slice2cost_pixels_first_0_1_count_7_choice_2 := not slice2cost_pixels_first_0_0_count_7_value_3 when
-        to_integer(slice2shift_search_0_1(23 downto 23)) = 1 else slice2cost_pixels_first_0_0_count_7_value_3;
-      slice2cost_pixels_first_0_1_count_7_choice_3 := not slice2cost_pixels_first_0_0_count_7_value_5 when
-        to_integer(slice2shift_search_0_1(22 downto 22)) = 1 else slice2cost_pixels_first_0_0_count_7_value_5;
-      slice2cost_pixels_first_0_1_count_8_choice := not slice2cost_pixels_first_0_0_count_8_value when
-        to_integer(slice2shift_search_0_1(24 downto 24)) = 1 else slice2cost_pixels_first_0_0_count_8_value;
-      slice2cost_pixels_first_0_1_count_8_choice_2 := not slice2cost_pixels_first_0_0_count_8_value_3 when
-        to_integer(slice2shift_search_0_1(26 downto 26)) = 1 else slice2cost_pixels_first_0_0_count_8_value_3;
-      slice2cost_pixels_first_0_1_count_8_choice_3 := not slice2cost_pixels_first_0_0_count_8_value_5 when
-        to_integer(slice2shift_search_0_1(25 downto 25)) = 1 else slice2cost_pixels_first_0_0_count_8_value_5;
-      slice2cost_pixels_first_0_1_count_9_choice := not slice2cost_pixels_first_0_0_count_9_value when
-        to_integer(slice2shift_search_0_1(27 downto 27)) = 1 else slice2cost_pixels_first_0_0_count_9_value;
-      slice2cost_pixels_first_0_1_count_9_choice_2 := not slice2cost_pixels_first_0_0_count_9_value_3 when
-        to_integer(slice2shift_search_0_1(29 downto 29)) = 1 else slice2cost_pixels_first_0_0_count_9_value_3;
-      slice2cost_pixels_first_0_1_count_9_choice_3 := not slice2cost_pixels_first_0_0_count_9_value_5 when
-        to_integer(slice2shift_search_0_1(28 downto 28)) = 1 else slice2cost_pixels_first_0_0_count_9_value_5;
-      slice2cost_pixels_first_0_1_count_10_choice := not slice2cost_pixels_first_0_0_count_10_value when
-        to_integer(slice2shift_search_0_1(30 downto 30)) = 1 else slice2cost_pixels_first_0_0_count_10_value;
-      slice2cost_pixels_first_0_1_count_10_choice_2 := not slice2cost_pixels_first_0_0_count_10_value_3 when
-        to_integer(slice2shift_search_0_1(32 downto 32)) = 1 else slice2cost_pixels_first_0_0_count_10_value_3;
-      slice2cost_pixels_first_0_1_count_10_choice_3 := not slice2cost_pixels_first_0_0_count_10_value_5 when
-        to_integer(slice2shift_search_0_1(31 downto 31)) = 1 else slice2cost_pixels_first_0_0_count_10_value_5;
-      slice2cost_pixels_first_0_1_count_11_choice := not slice2cost_pixels_first_0_0_count_11_value when
-        to_integer(slice2shift_search_0_1(33 downto 33)) = 1 else slice2cost_pixels_first_0_0_count_11_value;
-      slice2cost_pixels_first_0_1_count_11_choice_2 := not slice2cost_pixels_first_0_0_count_11_value_3 when
-        to_integer(slice2shift_search_0_1(35 downto 35)) = 1 else slice2cost_pixels_first_0_0_count_11_value_3;
-      slice2cost_pixels_first_0_1_count_11_choice_3 := not slice2cost_pixels_first_0_0_count_11_value_5 when
-        to_integer(slice2shift_search_0_1(34 downto 34)) = 1 else slice2cost_pixels_first_0_0_count_11_value_5;
-      slice2cost_pixels_first_0_1_count_12_choice := not slice2cost_pixels_first_0_0_count_12_value when
-        to_integer(slice2shift_search_0_1(36 downto 36)) = 1 else slice2cost_pixels_first_0_0_count_12_value;
-      slice2cost_pixels_first_0_1_count_12_choice_2 := not slice2cost_pixels_first_0_0_count_12_value_3 when
-        to_integer(slice2shift_search_0_1(38 downto 38)) = 1 else slice2cost_pixels_first_0_0_count_12_value_3;
-      slice2cost_pixels_first_0_1_count_12_choice_3 := not slice2cost_pixels_first_0_0_count_12_value_5 when
-        to_integer(slice2shift_search_0_1(37 downto 37)) = 1 else slice2cost_pixels_first_0_0_count_12_value_5;
-      slice2cost_pixels_first_0_1_count_13_choice := not slice2cost_pixels_first_0_0_count_13_value when
-        to_integer(slice2shift_search_0_1(39 downto 39)) = 1 else slice2cost_pixels_first_0_0_count_13_value;
-      slice2cost_pixels_first_0_1_count_13_choice_2 := not slice2cost_pixels_first_0_0_count_13_value_3 when
-        to_integer(slice2shift_search_0_1(41 downto 41)) = 1 else slice2cost_pixels_first_0_0_count_13_value_3;
-      slice2cost_pixels_first_0_1_count_13_choice_3 := not slice2cost_pixels_first_0_0_count_13_value_5 when
-        to_integer(slice2shift_search_0_1(40 downto 40)) = 1 else slice2cost_pixels_first_0_0_count_13_value_5;
-      slice2cost_pixels_first_0_1_count_14_choice := not (to_integer(slice2shift_reference_0(43 downto 43)) = 1) when
-        to_integer(slice2shift_search_0_1(43 downto 43)) = 1 else to_integer(slice2shift_reference_0(43 downto 43)) = 1;
-      slice2cost_pixels_first_0_1_count_14_choice_2 := not slice2cost_pixels_first_0_0_count_14_value when
-        to_integer(slice2shift_search_0_1(42 downto 42)) = 1 else slice2cost_pixels_first_0_0_count_14_value;
       slice2cost_pixels_first_0_0_count_0 <= as_number(((to_integer(slice2shift_search_0_0(0 downto 0)) = 1) /=
-        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_0_count_0_choice)
-        + as_number(slice2cost_pixels_first_0_0_count_0_choice_2);
-      slice2cost_pixels_first_0_0_count_1 <= as_number(slice2cost_pixels_first_0_0_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_1_choice_3);
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value
+        /= (to_integer(slice2shift_search_0_0(2 downto 2)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_0_value_2 /= (to_integer(slice2shift_search_0_0(1 downto 1)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_1 <= as_number((slice2cost_pixels_first_0_0_count_1_value /=
+        (to_integer(slice2shift_search_0_0(3 downto 3)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_1_value_2
+        /= (to_integer(slice2shift_search_0_0(5 downto 5)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_1_value_3 /= (to_integer(slice2shift_search_0_0(4 downto 4)) =
+        1)));
       slice2cost_pixels_first_0_0_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_0(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_0_count_2_choice) + as_number(slice2cost_pixels_first_0_0_count_2_choice_2);
-      slice2cost_pixels_first_0_0_count_3 <= as_number(slice2cost_pixels_first_0_0_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_3_choice_3);
-      slice2cost_pixels_first_0_0_count_4 <= as_number(slice2cost_pixels_first_0_0_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_4_choice_3);
-      slice2cost_pixels_first_0_0_count_5 <= as_number(slice2cost_pixels_first_0_0_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_5_choice_3);
-      slice2cost_pixels_first_0_0_count_6 <= as_number(slice2cost_pixels_first_0_0_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_6_choice_3);
-      slice2cost_pixels_first_0_0_count_7 <= as_number(slice2cost_pixels_first_0_0_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_7_choice_3);
-      slice2cost_pixels_first_0_0_count_8 <= as_number(slice2cost_pixels_first_0_0_count_8_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_8_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_8_choice_3);
-      slice2cost_pixels_first_0_0_count_9 <= as_number(slice2cost_pixels_first_0_0_count_9_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_9_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_9_choice_3);
-      slice2cost_pixels_first_0_0_count_10 <= as_number(slice2cost_pixels_first_0_0_count_10_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_10_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_10_choice_3);
-      slice2cost_pixels_first_0_0_count_11 <= as_number(slice2cost_pixels_first_0_0_count_11_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_11_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_11_choice_3);
-      slice2cost_pixels_first_0_0_count_12 <= as_number(slice2cost_pixels_first_0_0_count_12_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_12_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_12_choice_3);
-      slice2cost_pixels_first_0_0_count_13 <= as_number(slice2cost_pixels_first_0_0_count_13_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_13_choice_2) +
-        as_number(slice2cost_pixels_first_0_0_count_13_choice_3);
-      slice2cost_pixels_first_0_0_count_14 <= as_number(slice2cost_pixels_first_0_0_count_14_choice) +
-        as_number(slice2cost_pixels_first_0_0_count_14_choice_2);
+        as_number((slice2cost_pixels_first_0_0_count_2_value /= (to_integer(slice2shift_search_0_0(8 downto 8)) = 1)))
+        + as_number((slice2cost_pixels_first_0_0_count_2_value_2 /= (to_integer(slice2shift_search_0_0(6 downto 6)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_3 <= as_number((slice2cost_pixels_first_0_0_count_3_value /=
+        (to_integer(slice2shift_search_0_0(9 downto 9)) = 1))) + as_number((slice2cost_pixels_first_0_0_count_3_value_2
+        /= (to_integer(slice2shift_search_0_0(11 downto 11)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_3_value_3 /= (to_integer(slice2shift_search_0_0(10 downto 10)) =
+        1)));
+      slice2cost_pixels_first_0_0_count_4 <= as_number((slice2cost_pixels_first_0_0_count_4_value /=
+        (to_integer(slice2shift_search_0_0(12 downto 12)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_4_value_2 /= (to_integer(slice2shift_search_0_0(14 downto 14)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_4_value_3 /= (to_integer(slice2shift_search_0_0(13 downto
+        13)) = 1)));
+      slice2cost_pixels_first_0_0_count_5 <= as_number((slice2cost_pixels_first_0_0_count_5_value /=
+        (to_integer(slice2shift_search_0_0(15 downto 15)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_5_value_2 /= (to_integer(slice2shift_search_0_0(17 downto 17)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_5_value_3 /= (to_integer(slice2shift_search_0_0(16 downto
+        16)) = 1)));
+      slice2cost_pixels_first_0_0_count_6 <= as_number((slice2cost_pixels_first_0_0_count_6_value /=
+        (to_integer(slice2shift_search_0_0(18 downto 18)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_6_value_2 /= (to_integer(slice2shift_search_0_0(20 downto 20)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_6_value_3 /= (to_integer(slice2shift_search_0_0(19 downto
+        19)) = 1)));
+      slice2cost_pixels_first_0_0_count_7 <= as_number((slice2cost_pixels_first_0_0_count_7_value /=
+        (to_integer(slice2shift_search_0_0(21 downto 21)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_7_value_2 /= (to_integer(slice2shift_search_0_0(23 downto 23)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_7_value_3 /= (to_integer(slice2shift_search_0_0(22 downto
+        22)) = 1)));
+      slice2cost_pixels_first_0_0_count_8 <= as_number((slice2cost_pixels_first_0_0_count_8_value /=
+        (to_integer(slice2shift_search_0_0(24 downto 24)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_8_value_2 /= (to_integer(slice2shift_search_0_0(26 downto 26)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_8_value_3 /= (to_integer(slice2shift_search_0_0(25 downto
+        25)) = 1)));
+      slice2cost_pixels_first_0_0_count_9 <= as_number((slice2cost_pixels_first_0_0_count_9_value /=
+        (to_integer(slice2shift_search_0_0(27 downto 27)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_9_value_2 /= (to_integer(slice2shift_search_0_0(29 downto 29)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_9_value_3 /= (to_integer(slice2shift_search_0_0(28 downto
+        28)) = 1)));
+      slice2cost_pixels_first_0_0_count_10 <= as_number((slice2cost_pixels_first_0_0_count_10_value /=
+        (to_integer(slice2shift_search_0_0(30 downto 30)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_10_value_2 /= (to_integer(slice2shift_search_0_0(32 downto 32)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_10_value_3 /= (to_integer(slice2shift_search_0_0(31 downto
+        31)) = 1)));
+      slice2cost_pixels_first_0_0_count_11 <= as_number((slice2cost_pixels_first_0_0_count_11_value /=
+        (to_integer(slice2shift_search_0_0(33 downto 33)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_11_value_2 /= (to_integer(slice2shift_search_0_0(35 downto 35)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_11_value_3 /= (to_integer(slice2shift_search_0_0(34 downto
+        34)) = 1)));
+      slice2cost_pixels_first_0_0_count_12 <= as_number((slice2cost_pixels_first_0_0_count_12_value /=
+        (to_integer(slice2shift_search_0_0(36 downto 36)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_12_value_2 /= (to_integer(slice2shift_search_0_0(38 downto 38)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_12_value_3 /= (to_integer(slice2shift_search_0_0(37 downto
+        37)) = 1)));
+      slice2cost_pixels_first_0_0_count_13 <= as_number((slice2cost_pixels_first_0_0_count_13_value /=
+        (to_integer(slice2shift_search_0_0(39 downto 39)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_13_value_2 /= (to_integer(slice2shift_search_0_0(41 downto 41)) =
+        1))) + as_number((slice2cost_pixels_first_0_0_count_13_value_3 /= (to_integer(slice2shift_search_0_0(40 downto
+        40)) = 1)));
+      slice2cost_pixels_first_0_0_count_14 <= as_number(((to_integer(slice2shift_reference_0(43 downto 43)) = 1) /=
+        (to_integer(slice2shift_search_0_0(43 downto 43)) = 1))) +
+        as_number((slice2cost_pixels_first_0_0_count_14_value /= (to_integer(slice2shift_search_0_0(42 downto 42)) =
+        1)));
       slice2cost_pixels_first_0_1_count_0 <= as_number(((to_integer(slice2shift_search_0_1(0 downto 0)) = 1) /=
-        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(slice2cost_pixels_first_0_1_count_0_choice)
-        + as_number(slice2cost_pixels_first_0_1_count_0_choice_2);
-      slice2cost_pixels_first_0_1_count_1 <= as_number(slice2cost_pixels_first_0_1_count_1_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_1_choice_3);
+        (to_integer(slice2shift_reference_0(0 downto 0)) = 1))) + as_number(((to_integer(slice2shift_search_0_1(2
+        downto 2)) = 1) /= slice2cost_pixels_first_0_0_count_0_value)) +
+        as_number(((to_integer(slice2shift_search_0_1(1 downto 1)) = 1) /=
+        slice2cost_pixels_first_0_0_count_0_value_2));
+      slice2cost_pixels_first_0_1_count_1 <= as_number(((to_integer(slice2shift_search_0_1(3 downto 3)) = 1) /=
+        slice2cost_pixels_first_0_0_count_1_value)) + as_number(((to_integer(slice2shift_search_0_1(5 downto 5)) = 1)
+        /= slice2cost_pixels_first_0_0_count_1_value_2)) + as_number(((to_integer(slice2shift_search_0_1(4 downto 4)) =
+        1) /= slice2cost_pixels_first_0_0_count_1_value_3));
       slice2cost_pixels_first_0_1_count_2 <= (to_integer(((to_unsigned(to_integer(slice2shift_search_0_1(7 downto 0)),
         8)) xor (to_unsigned(to_integer(slice2shift_reference_0(7 downto 0)), 8)))) / 128) +
-        as_number(slice2cost_pixels_first_0_1_count_2_choice) + as_number(slice2cost_pixels_first_0_1_count_2_choice_2);
-      slice2cost_pixels_first_0_1_count_3 <= as_number(slice2cost_pixels_first_0_1_count_3_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_3_choice_3);
-      slice2cost_pixels_first_0_1_count_4 <= as_number(slice2cost_pixels_first_0_1_count_4_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_4_choice_3);
-      slice2cost_pixels_first_0_1_count_5 <= as_number(slice2cost_pixels_first_0_1_count_5_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_5_choice_3);
-      slice2cost_pixels_first_0_1_count_6 <= as_number(slice2cost_pixels_first_0_1_count_6_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_6_choice_3);
-      slice2cost_pixels_first_0_1_count_7 <= as_number(slice2cost_pixels_first_0_1_count_7_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_7_choice_3);
-      slice2cost_pixels_first_0_1_count_8 <= as_number(slice2cost_pixels_first_0_1_count_8_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_8_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_8_choice_3);
-      slice2cost_pixels_first_0_1_count_9 <= as_number(slice2cost_pixels_first_0_1_count_9_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_9_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_9_choice_3);
-      slice2cost_pixels_first_0_1_count_10 <= as_number(slice2cost_pixels_first_0_1_count_10_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_10_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_10_choice_3);
-      slice2cost_pixels_first_0_1_count_11 <= as_number(slice2cost_pixels_first_0_1_count_11_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_11_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_11_choice_3);
-      slice2cost_pixels_first_0_1_count_12 <= as_number(slice2cost_pixels_first_0_1_count_12_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_12_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_12_choice_3);
-      slice2cost_pixels_first_0_1_count_13 <= as_number(slice2cost_pixels_first_0_1_count_13_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_13_choice_2) +
-        as_number(slice2cost_pixels_first_0_1_count_13_choice_3);
-      slice2cost_pixels_first_0_1_count_14 <= as_number(slice2cost_pixels_first_0_1_count_14_choice) +
-        as_number(slice2cost_pixels_first_0_1_count_14_choice_2);
+        as_number(((to_integer(slice2shift_search_0_1(8 downto 8)) = 1) /= slice2cost_pixels_first_0_0_count_2_value))
+        + as_number(((to_integer(slice2shift_search_0_1(6 downto 6)) = 1) /=
+        slice2cost_pixels_first_0_0_count_2_value_2));
+      slice2cost_pixels_first_0_1_count_3 <= as_number(((to_integer(slice2shift_search_0_1(9 downto 9)) = 1) /=
+        slice2cost_pixels_first_0_0_count_3_value)) + as_number(((to_integer(slice2shift_search_0_1(11 downto 11)) = 1)
+        /= slice2cost_pixels_first_0_0_count_3_value_2)) + as_number(((to_integer(slice2shift_search_0_1(10 downto 10))
+        = 1) /= slice2cost_pixels_first_0_0_count_3_value_3));
+      slice2cost_pixels_first_0_1_count_4 <= as_number(((to_integer(slice2shift_search_0_1(12 downto 12)) = 1) /=
+        slice2cost_pixels_first_0_0_count_4_value)) + as_number(((to_integer(slice2shift_search_0_1(14 downto 14)) = 1)
+        /= slice2cost_pixels_first_0_0_count_4_value_2)) + as_number(((to_integer(slice2shift_search_0_1(13 downto 13))
+        = 1) /= slice2cost_pixels_first_0_0_count_4_value_3));
+      slice2cost_pixels_first_0_1_count_5 <= as_number(((to_integer(slice2shift_search_0_1(15 downto 15)) = 1) /=
+        slice2cost_pixels_first_0_0_count_5_value)) + as_number(((to_integer(slice2shift_search_0_1(17 downto 17)) = 1)
+        /= slice2cost_pixels_first_0_0_count_5_value_2)) + as_number(((to_integer(slice2shift_search_0_1(16 downto 16))
+        = 1) /= slice2cost_pixels_first_0_0_count_5_value_3));
+      slice2cost_pixels_first_0_1_count_6 <= as_number(((to_integer(slice2shift_search_0_1(18 downto 18)) = 1) /=
+        slice2cost_pixels_first_0_0_count_6_value)) + as_number(((to_integer(slice2shift_search_0_1(20 downto 20)) = 1)
+        /= slice2cost_pixels_first_0_0_count_6_value_2)) + as_number(((to_integer(slice2shift_search_0_1(19 downto 19))
+        = 1) /= slice2cost_pixels_first_0_0_count_6_value_3));
+      slice2cost_pixels_first_0_1_count_7 <= as_number(((to_integer(slice2shift_search_0_1(21 downto 21)) = 1) /=
+        slice2cost_pixels_first_0_0_count_7_value)) + as_number(((to_integer(slice2shift_search_0_1(23 downto 23)) = 1)
+        /= slice2cost_pixels_first_0_0_count_7_value_2)) + as_number(((to_integer(slice2shift_search_0_1(22 downto 22))
+        = 1) /= slice2cost_pixels_first_0_0_count_7_value_3));
+      slice2cost_pixels_first_0_1_count_8 <= as_number(((to_integer(slice2shift_search_0_1(24 downto 24)) = 1) /=
+        slice2cost_pixels_first_0_0_count_8_value)) + as_number(((to_integer(slice2shift_search_0_1(26 downto 26)) = 1)
+        /= slice2cost_pixels_first_0_0_count_8_value_2)) + as_number(((to_integer(slice2shift_search_0_1(25 downto 25))
+        = 1) /= slice2cost_pixels_first_0_0_count_8_value_3));
+      slice2cost_pixels_first_0_1_count_9 <= as_number(((to_integer(slice2shift_search_0_1(27 downto 27)) = 1) /=
+        slice2cost_pixels_first_0_0_count_9_value)) + as_number(((to_integer(slice2shift_search_0_1(29 downto 29)) = 1)
+        /= slice2cost_pixels_first_0_0_count_9_value_2)) + as_number(((to_integer(slice2shift_search_0_1(28 downto 28))
+        = 1) /= slice2cost_pixels_first_0_0_count_9_value_3));
+      slice2cost_pixels_first_0_1_count_10 <= as_number(((to_integer(slice2shift_search_0_1(30 downto 30)) = 1) /=
+        slice2cost_pixels_first_0_0_count_10_value)) + as_number(((to_integer(slice2shift_search_0_1(32 downto 32)) =
+        1) /= slice2cost_pixels_first_0_0_count_10_value_2)) + as_number(((to_integer(slice2shift_search_0_1(31 downto
+        31)) = 1) /= slice2cost_pixels_first_0_0_count_10_value_3));
+      slice2cost_pixels_first_0_1_count_11 <= as_number(((to_integer(slice2shift_search_0_1(33 downto 33)) = 1) /=
+        slice2cost_pixels_first_0_0_count_11_value)) + as_number(((to_integer(slice2shift_search_0_1(35 downto 35)) =
+        1) /= slice2cost_pixels_first_0_0_count_11_value_2)) + as_number(((to_integer(slice2shift_search_0_1(34 downto
+        34)) = 1) /= slice2cost_pixels_first_0_0_count_11_value_3));
+      slice2cost_pixels_first_0_1_count_12 <= as_number(((to_integer(slice2shift_search_0_1(36 downto 36)) = 1) /=
+        slice2cost_pixels_first_0_0_count_12_value)) + as_number(((to_integer(slice2shift_search_0_1(38 downto 38)) =
+        1) /= slice2cost_pixels_first_0_0_count_12_value_2)) + as_number(((to_integer(slice2shift_search_0_1(37 downto
+        37)) = 1) /= slice2cost_pixels_first_0_0_count_12_value_3));
+      slice2cost_pixels_first_0_1_count_13 <= as_number(((to_integer(slice2shift_search_0_1(39 downto 39)) = 1) /=
+        slice2cost_pixels_first_0_0_count_13_value)) + as_number(((to_integer(slice2shift_search_0_1(41 downto 41)) =
+        1) /= slice2cost_pixels_first_0_0_count_13_value_2)) + as_number(((to_integer(slice2shift_search_0_1(40 downto
+        40)) = 1) /= slice2cost_pixels_first_0_0_count_13_value_3));
+      slice2cost_pixels_first_0_1_count_14 <= as_number(((to_integer(slice2shift_search_0_1(43 downto 43)) = 1) /=
+        (to_integer(slice2shift_reference_0(43 downto 43)) = 1))) + as_number(((to_integer(slice2shift_search_0_1(42
+        downto 42)) = 1) /= slice2cost_pixels_first_0_0_count_14_value));
       slice2cost_pixels_cost_0_0 <= slice2cost_pixels_first_0_0_count_3 + slice2cost_pixels_first_0_0_count_7 +
         slice2cost_pixels_first_0_0_count_12 + slice2cost_pixels_first_0_0_count_6 +
         slice2cost_pixels_first_0_0_count_9 + slice2cost_pixels_first_0_0_count_14 +
@@ -5810,6 +4619,8 @@ begin
         slice2cost_pixels_first_0_1_count_10 + slice2cost_pixels_first_0_1_count_4 +
         slice2cost_pixels_first_0_1_count_8 + slice2cost_pixels_first_0_1_count_1 + slice2cost_pixels_first_0_1_count_5
         + slice2cost_pixels_first_0_1_count_0 + slice2cost_pixels_first_0_1_count_13;
+      slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
+      slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
       -- slice2
       slice2_held_0_0 <= other_5 / 4;
       slice2_held_0_1 <= other_4 / 4;
@@ -5874,9 +4685,9 @@ begin
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_turned_output_column_all;
       end if;
-      entry_order_falls_choice := not entry_order_falls when slice0_tag_2_valid else entry_order_falls;
       if not entry_next_tag_map_column then
-        entry_order_falls <= entry_order_falls_choice when slice0_tag_2_map_column else entry_order_falls;
+        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
+          entry_order_falls;
       end if;
       -- forward
       forward_pair_cost_0_sum := entry_cost_0 + forward_next_cost_0;
@@ -5894,94 +4705,72 @@ begin
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
       forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
       forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
-      forward_path_1_value := (((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_all := (not ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1)) and
-        forward_path_1_value;
-      forward_path_1_value_2 := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value_2 else forward_stayed_1;
-      forward_path_1_choice_2 := forward_occluding_0 when forward_path_1_value else forward_path_1_choice;
-      forward_path_1_choice_3 := forward_path_1_choice when forward_path_1_all else forward_path_1_choice_2;
-      forward_path_1_choice_4 := 0 when forward_next_first else forward_path_1_choice_3;
-      forward_path_2_value := (((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_all := (not ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1)) and
-        forward_path_2_value;
-      forward_path_2_value_2 := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value_2 else forward_stayed_2;
-      forward_path_2_choice_2 := forward_occluding_1 when forward_path_2_value else forward_path_2_choice;
-      forward_path_2_choice_3 := forward_path_2_choice when forward_path_2_all else forward_path_2_choice_2;
-      forward_path_2_choice_4 := 0 when forward_next_first else forward_path_2_choice_3;
-      forward_path_3_value := (((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_all := (not ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1)) and
-        forward_path_3_value;
-      forward_path_3_value_2 := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value_2 else forward_stayed_3;
-      forward_path_3_choice_2 := forward_occluding_2 when forward_path_3_value else forward_path_3_choice;
-      forward_path_3_choice_3 := forward_path_3_choice when forward_path_3_all else forward_path_3_choice_2;
-      forward_path_3_choice_4 := 0 when forward_next_first else forward_path_3_choice_3;
-      forward_path_4_value := (((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_all := (not ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1)) and
-        forward_path_4_value;
-      forward_path_4_value_2 := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value_2 else forward_stayed_4;
-      forward_path_4_choice_2 := forward_occluding_3 when forward_path_4_value else forward_path_4_choice;
-      forward_path_4_choice_3 := forward_path_4_choice when forward_path_4_all else forward_path_4_choice_2;
-      forward_path_4_choice_4 := 0 when forward_next_first else forward_path_4_choice_3;
-      forward_path_5_value := (((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_all := (not ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1)) and
-        forward_path_5_value;
-      forward_path_5_value_2 := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value_2 else forward_stayed_5;
-      forward_path_5_choice_2 := forward_occluding_4 when forward_path_5_value else forward_path_5_choice;
-      forward_path_5_choice_3 := forward_path_5_choice when forward_path_5_all else forward_path_5_choice_2;
-      forward_path_5_choice_4 := 0 when forward_next_first else forward_path_5_choice_3;
-      forward_path_6_value := (((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_all := (not ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1)) and
-        forward_path_6_value;
-      forward_path_6_value_2 := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value_2 else forward_stayed_6;
-      forward_path_6_choice_2 := forward_occluding_5 when forward_path_6_value else forward_path_6_choice;
-      forward_path_6_choice_3 := forward_path_6_choice when forward_path_6_all else forward_path_6_choice_2;
-      forward_path_6_choice_4 := 0 when forward_next_first else forward_path_6_choice_3;
-      forward_path_7_value := (((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_all := (not ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1)) and
-        forward_path_7_value;
-      forward_path_7_value_2 := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value_2 else forward_stayed_7;
-      forward_path_7_choice_2 := forward_occluding_6 when forward_path_7_value else forward_path_7_choice;
-      forward_path_7_choice_3 := forward_path_7_choice when forward_path_7_all else forward_path_7_choice_2;
-      forward_path_7_choice_4 := 0 when forward_next_first else forward_path_7_choice_3;
-      forward_path_8_value := (((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_all := (not ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1)) and
-        forward_path_8_value;
-      forward_path_8_value_2 := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value_2 else forward_stayed_8;
-      forward_path_8_choice_2 := forward_occluding_7 when forward_path_8_value else forward_path_8_choice;
-      forward_path_8_choice_3 := forward_path_8_choice when forward_path_8_all else forward_path_8_choice_2;
-      forward_path_8_choice_4 := 0 when forward_next_first else forward_path_8_choice_3;
-      forward_path_9_value := (((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_all := (not ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1)) and
-        forward_path_9_value;
-      forward_path_9_value_2 := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value_2 else forward_stayed_9;
-      forward_path_9_choice_2 := forward_occluding_8 when forward_path_9_value else forward_path_9_choice;
-      forward_path_9_choice_3 := forward_path_9_choice when forward_path_9_all else forward_path_9_choice_2;
-      forward_path_9_choice_4 := 0 when forward_next_first else forward_path_9_choice_3;
-      forward_path_10_value := (((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_all := (not ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1)) and
-        forward_path_10_value;
-      forward_path_10_value_2 := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value_2 else forward_stayed_10;
-      forward_path_10_choice_2 := forward_occluding_9 when forward_path_10_value else forward_path_10_choice;
-      forward_path_10_choice_3 := forward_path_10_choice when forward_path_10_all else forward_path_10_choice_2;
-      forward_path_10_choice_4 := 0 when forward_next_first else forward_path_10_choice_3;
-      forward_path_11_value := (((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_all := (not ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1)) and
-        forward_path_11_value;
-      forward_path_11_value_2 := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value_2 else forward_stayed_11;
-      forward_path_11_choice_2 := forward_occluding_10 when forward_path_11_value else forward_path_11_choice;
-      forward_path_11_choice_3 := forward_path_11_choice when forward_path_11_all else forward_path_11_choice_2;
-      forward_path_11_choice_4 := 0 when forward_next_first else forward_path_11_choice_3;
+      forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
+      forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
+      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
+      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
+      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
+      forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
+      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
+      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
+      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
+      forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
+      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
+      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
+      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
+      forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
+      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
+      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
+      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
+      forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
+      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
+      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
+      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
+      forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
+      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
+      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
+      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
+      forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
+      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
+      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
+      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
+      forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
+      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
+      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
+      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
+      forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
+      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
+      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
+      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
+      forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
+      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
+      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
+      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
+        ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
+      forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
+      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
+      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
+      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
       forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
@@ -5996,26 +4785,15 @@ begin
       forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
       forward_decision_0_choice := 2 when forward_far_0 else 1;
       forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value_2 else 0;
-      forward_decision_1_choice_3 := 3 when forward_path_1_value else forward_decision_1_choice_2;
+      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
       forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value_2 else 0;
-      forward_decision_2_choice_3 := 3 when forward_path_2_value else forward_decision_2_choice_2;
+      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
       forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value_2 else 0;
-      forward_decision_3_choice_3 := 3 when forward_path_3_value else forward_decision_3_choice_2;
+      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
       forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value_2 else 0;
-      forward_decision_4_choice_3 := 3 when forward_path_4_value else forward_decision_4_choice_2;
+      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
       forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value_2 else 0;
-      forward_decision_5_choice_3 := 3 when forward_path_5_value else forward_decision_5_choice_2;
-      forward_decision_6_choice := 3 when forward_path_6_value else as_number(forward_path_6_value_2);
-      forward_decision_7_choice := 3 when forward_path_7_value else as_number(forward_path_7_value_2);
-      forward_decision_8_choice := 3 when forward_path_8_value else as_number(forward_path_8_value_2);
-      forward_decision_9_choice := 3 when forward_path_9_value else as_number(forward_path_9_value_2);
-      forward_decision_10_choice := 3 when forward_path_10_value else as_number(forward_path_10_value_2);
-      forward_decision_11_choice := 3 when forward_path_11_value else as_number(forward_path_11_value_2);
+      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -6043,40 +4821,40 @@ begin
         forward_pair_cost_10 <= (((forward_pair_cost_10_sum / 4) + 1) * 4) + (forward_pair_cost_10_sum mod 4);
         forward_pair_cost_11 <= (((forward_pair_cost_11_sum / 4) + 1) * 4) + (forward_pair_cost_11_sum mod 4);
         forward_path_0 <= forward_path_0_choice_2;
-        forward_path_1 <= forward_path_1_choice_4;
-        forward_path_2 <= forward_path_2_choice_4;
-        forward_path_3 <= forward_path_3_choice_4;
-        forward_path_4 <= forward_path_4_choice_4;
-        forward_path_5 <= forward_path_5_choice_4;
-        forward_path_6 <= forward_path_6_choice_4;
-        forward_path_7 <= forward_path_7_choice_4;
-        forward_path_8 <= forward_path_8_choice_4;
-        forward_path_9 <= forward_path_9_choice_4;
-        forward_path_10 <= forward_path_10_choice_4;
-        forward_path_11 <= forward_path_11_choice_4;
+        forward_path_1 <= forward_path_1_choice_3;
+        forward_path_2 <= forward_path_2_choice_3;
+        forward_path_3 <= forward_path_3_choice_3;
+        forward_path_4 <= forward_path_4_choice_3;
+        forward_path_5 <= forward_path_5_choice_3;
+        forward_path_6 <= forward_path_6_choice_3;
+        forward_path_7 <= forward_path_7_choice_3;
+        forward_path_8 <= forward_path_8_choice_3;
+        forward_path_9 <= forward_path_9_choice_3;
+        forward_path_10 <= forward_path_10_choice_3;
+        forward_path_11 <= forward_path_11_choice_3;
         forward_stayed_0 <= (forward_path_0_choice_2 + forward_next_cost_0) mod 512;
-        forward_stayed_1 <= (forward_path_1_choice_4 + forward_next_cost_1) mod 512;
-        forward_stayed_2 <= (forward_path_2_choice_4 + forward_next_cost_2) mod 512;
-        forward_stayed_3 <= (forward_path_3_choice_4 + forward_next_cost_3) mod 512;
-        forward_stayed_4 <= (forward_path_4_choice_4 + forward_next_cost_4) mod 512;
-        forward_stayed_5 <= (forward_path_5_choice_4 + forward_next_cost_5) mod 512;
-        forward_stayed_6 <= (forward_path_6_choice_4 + forward_next_cost_6) mod 512;
-        forward_stayed_7 <= (forward_path_7_choice_4 + forward_next_cost_7) mod 512;
-        forward_stayed_8 <= (forward_path_8_choice_4 + forward_next_cost_8) mod 512;
-        forward_stayed_9 <= (forward_path_9_choice_4 + forward_next_cost_9) mod 512;
-        forward_stayed_10 <= (forward_path_10_choice_4 + forward_next_cost_10) mod 512;
-        forward_stayed_11 <= (forward_path_11_choice_4 + forward_next_cost_11) mod 512;
+        forward_stayed_1 <= (forward_path_1_choice_3 + forward_next_cost_1) mod 512;
+        forward_stayed_2 <= (forward_path_2_choice_3 + forward_next_cost_2) mod 512;
+        forward_stayed_3 <= (forward_path_3_choice_3 + forward_next_cost_3) mod 512;
+        forward_stayed_4 <= (forward_path_4_choice_3 + forward_next_cost_4) mod 512;
+        forward_stayed_5 <= (forward_path_5_choice_3 + forward_next_cost_5) mod 512;
+        forward_stayed_6 <= (forward_path_6_choice_3 + forward_next_cost_6) mod 512;
+        forward_stayed_7 <= (forward_path_7_choice_3 + forward_next_cost_7) mod 512;
+        forward_stayed_8 <= (forward_path_8_choice_3 + forward_next_cost_8) mod 512;
+        forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
+        forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
+        forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
         forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_4 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_4 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_4 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_4 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_4 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_4 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_4 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_4 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_4 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_4 + 7) mod 512;
+        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
+        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
+        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
+        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
+        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
+        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
+        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
+        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
+        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
+        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
         forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
         forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
         forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
@@ -6089,40 +4867,36 @@ begin
         forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
         forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
         forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
+        forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
         forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_all else forward_decision_1_choice_3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_all else forward_decision_2_choice_3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_all else forward_decision_3_choice_3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_all else forward_decision_4_choice_3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_all else forward_decision_5_choice_3;
-        forward_decision_6 <= as_number(forward_path_6_value_2) when forward_path_6_all else forward_decision_6_choice;
-        forward_decision_7 <= as_number(forward_path_7_value_2) when forward_path_7_all else forward_decision_7_choice;
-        forward_decision_8 <= as_number(forward_path_8_value_2) when forward_path_8_all else forward_decision_8_choice;
-        forward_decision_9 <= as_number(forward_path_9_value_2) when forward_path_9_all else forward_decision_9_choice;
-        forward_decision_10 <= as_number(forward_path_10_value_2) when forward_path_10_all else
-          forward_decision_10_choice;
-        forward_decision_11 <= as_number(forward_path_11_value_2) when forward_path_11_all else
-          forward_decision_11_choice;
+        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
+        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
+        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
+        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
+        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
+        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
+        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
+        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
+        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
+        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
       end if;
-      forward_far_0_any := (not forward_next_first) or (not entry_tag_valid);
-      forward_far_0_choice := forward_far_0_any when forward_dropped_0_value else not entry_tag_valid;
-      forward_far_1_choice := forward_far_0_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_0_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_0_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_0_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_0_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_0 <= forward_far_0_choice when forward_far_0 else forward_dropped_0_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and (not
-        forward_next_first) and entry_tag_valid;
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and (not
-        forward_next_first) and entry_tag_valid;
+      forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
+      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
+      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
+      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
+      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
+      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
+      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
+        (not forward_next_first);
+      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
+        (not forward_next_first);
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -6140,7 +4914,7 @@ begin
         decisions_ready_inside <= entry_tag_map_column;
         decisions_comes_0 <= entry_tag_map_column;
         decisions_comes_1 <= decisions_ready_inside;
-        decisions_comes_2 <= decisions_comes_1;
+        decisions_comes_2 <= last_tags_held_1_map_column;
         decisions_place_0 <= entry_place;
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
@@ -6158,7 +4932,7 @@ begin
         last_tags_held_0_end_of_line <= entry_tag_end_of_line;
         last_tags_held_1_map_column <= decisions_comes_0;
         last_tags_held_1_end_of_line <= last_tags_held_0_end_of_line;
-        last_tags_held_2_map_column <= last_tags_held_1_map_column;
+        last_tags_held_2_map_column <= decisions_comes_1;
         last_tags_held_2_end_of_line <= last_tags_held_1_end_of_line;
       end if;
       last_path_0_2_difference := 256 - forward_path_0;
@@ -6183,12 +4957,12 @@ begin
         last_state <= lastwinner4_best_index_0_0;
       end if;
       -- lastwinner1
-      lastwinner1_best_cost_0_0_is_less := last_path_0_1 < last_path_0_0;
-      lastwinner1_best_cost_0_1_is_less := last_path_0_3 < last_path_0_2;
-      lastwinner1_best_cost_0_2_is_less := last_path_0_5 < last_path_0_4;
-      lastwinner1_best_cost_0_3_is_less := last_path_0_7 < last_path_0_6;
-      lastwinner1_best_cost_0_4_is_less := last_path_0_9 < last_path_0_8;
-      lastwinner1_best_cost_0_5_is_less := last_path_0_11 < last_path_0_10;
+      lastwinner1_best_cost_0_0_is_less := (last_path_0_1 - last_path_0_0) < 0;
+      lastwinner1_best_cost_0_1_is_less := (last_path_0_3 - last_path_0_2) < 0;
+      lastwinner1_best_cost_0_2_is_less := (last_path_0_5 - last_path_0_4) < 0;
+      lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
+      lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
+      lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
       lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
       lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
       lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
@@ -6205,9 +4979,9 @@ begin
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
       -- lastwinner2
-      lastwinner2_best_cost_0_0_is_less := lastwinner1_best_cost_0_1 < lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1_is_less := lastwinner1_best_cost_0_3 < lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2_is_less := lastwinner1_best_cost_0_5 < lastwinner1_best_cost_0_4;
+      lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
+      lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
+      lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
       lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
         lastwinner1_best_cost_0_0;
       lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
@@ -6224,7 +4998,7 @@ begin
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
       -- lastwinner3
-      lastwinner3_best_cost_0_0_is_less := lastwinner2_best_cost_0_1 < lastwinner2_best_cost_0_0;
+      lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
       lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
         lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
@@ -6235,8 +5009,8 @@ begin
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner3_best_cost_0_1 <
-        lastwinner3_best_cost_0_0 else lastwinner3_best_index_0_0;
+      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
+        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
@@ -6349,10 +5123,10 @@ begin
       traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
         traceback_decision_choice_40;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_ready_inside else last_state;
-        traceback_decision <= traceback_decision_choice_41 when decisions_ready_inside else 0;
+        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
+        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
         traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_ready_inside and traceback_state_is_equal_3 else 0;
+          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
@@ -6361,7 +5135,7 @@ begin
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
         ((traceback_decision / 2) = 1)) or (not ((traceback_decision mod 2) = 1));
-      traceback_out_tag_map_column <= last_tags_held_1_map_column;
+      traceback_out_tag_map_column <= decisions_comes_1;
       traceback_out_tag_output_column <= traceback_tags_held_1_output_column;
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
@@ -6420,18 +5194,18 @@ begin
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_output_column <= turn_ready_tag_output_column;
       -- other
-      other_6_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_1 / 4;
-      other_7_choice := 0 when slice0window_tag_border_column else slice2cost_pixels_cost_0_0 / 4;
-      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_4 / 4;
-      other_14_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_3 / 4;
-      other_15_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_2 / 4;
-      other_16_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_1 / 4;
-      other_17_choice := 0 when slice0cost_tag_border_column else slice1cost_pixels_cost_0_0 / 4;
-      other_23_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_4 / 4;
-      other_24_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_3 / 4;
-      other_25_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_2 / 4;
-      other_26_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_1 / 4;
-      other_27_choice := 0 when slice0cost_pixels_tag_border_column else slice0cost_pixels_cost_0_0 / 4;
+      other_6_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_1 / 4;
+      other_7_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_0 / 4;
+      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_4 / 4;
+      other_14_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_3 / 4;
+      other_15_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_2 / 4;
+      other_16_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_1 / 4;
+      other_17_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_0 / 4;
+      other_23_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 / 4;
+      other_24_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 / 4;
+      other_25_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 / 4;
+      other_26_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 / 4;
+      other_27_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 / 4;
       other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_turned_map_column) and
         traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
         turn_order_complete));
@@ -6476,10 +5250,10 @@ begin
         transform_write_column <= 0;
         transform_columns_start_of_frame <= false;
         transform_columns_valid <= false;
-        transform_filtering_start_of_frame <= false;
-        transform_filtering_valid <= false;
-        transform_filtered_start_of_frame <= false;
-        transform_filtered_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
         raster_features_valid <= false;
         raster_place_column <= 0;
         raster_place_group <= 12;
@@ -6508,6 +5282,11 @@ begin
         slice0cost_pixels_tag_output_column <= false;
         slice0cost_pixels_tag_start_of_frame <= false;
         slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_map_column <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
         slice0cost_tag_valid <= false;
         slice0cost_tag_map_column <= false;
         slice0cost_tag_output_column <= false;

@@ -61,10 +61,10 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 25,
+      latency_clocks => 26,
       flush_groups => 165,
       gap_groups => 0,
-      core_id => x"72fac838",
+      core_id => x"d24ef909",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
@@ -117,7 +117,7 @@ begin
       pixels_per_clock => 1,
       disparity_bits => 8,
       output_width_px => 29,
-      latency_clocks => 25,
+      latency_clocks => 26,
       flush_groups => 165,
       gap_groups => 0)
     port map (

@@ -286,4 +286,4 @@ def test_images_that_do_not_fit(tmp_path, depth):
         says=["16 bits"],
     )
     fail(tmp_path, *depth, tmp_path / "no.yml", *pair, says=["no.yml", "no such file"])
-    fail(tmp_path, *depth, tmp_path, *pair, says=[tmp_path, "no such file"])
+    fail(tmp_path, *depth, tmp_path, *pair, says=[tmp_path, "is a folder"])

@@ -216,7 +216,7 @@ def test_missing_and_unreadable_files(tmp_path, match):
     text = tmp_path / "text.png"
     text.write_text("not an image")
     fail(tmp_path, *changed(match, "--right", text), says=[text, "not an image"])
-    fail(tmp_path, *changed(match, "--right", tmp_path), says=[tmp_path, "not an image"])
+    fail(tmp_path, *changed(match, "--right", tmp_path), says=[tmp_path, "is a folder"])
 
 
 def test_damaged_png(tmp_path, match):

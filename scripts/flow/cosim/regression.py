@@ -129,7 +129,7 @@ class Regression:
         """The report must say what the exit code says."""
         try:
             entry.report = json_files.load(folder / "report.json")
-            says = entry.report["error"]["exit_code"] if "error" in entry.report else _judged(entry.report)
+            says = entry.report["error"]["exit_code"] if "error" in entry.report else report.judged(entry.report)
         except (OSError, ValueError, KeyError, TypeError):
             says = None
         entry.exit_code = code
@@ -204,12 +204,6 @@ class Regression:
 def exit_code(entries: Iterable[Entry]) -> int:
     codes = [entry.exit_code for entry in entries if entry.exit_code is not None]
     return EXIT_MISMATCH if EXIT_MISMATCH in codes else max(codes, default=EXIT_OK)
-
-
-def _judged(content: dict[str, Any]) -> int:
-    """What the counts of a report say, whatever it claims."""
-    agrees = content["expected"] > 0 and content["compared"] == content["expected"] and content["mismatches"] == 0
-    return EXIT_OK if agrees and content["passed"] else EXIT_MISMATCH
 
 
 def _counted(content: dict[str, Any]) -> str:

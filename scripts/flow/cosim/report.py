@@ -3,11 +3,12 @@
 
 import json
 import xml.etree.ElementTree as xml
+from collections.abc import Mapping
 from pathlib import Path
-from typing import NotRequired, TypedDict
+from typing import Any, NotRequired, TypedDict
 
 from ..base import files
-from ..base.errors import FlowError
+from ..base.errors import EXIT_MISMATCH, EXIT_OK, FlowError
 from ..base.facts import Facts, facts
 from .checker import Interval
 
@@ -57,6 +58,16 @@ class Failure(TypedDict):
     passed: bool  # False
     error: Error
     environment: Facts
+
+
+def counts_agree(content: Mapping[str, Any]) -> bool:
+    """What the counts of a report say, whatever its `passed` claims."""
+    return bool(0 < content["expected"] == content["compared"] and content["mismatches"] == 0)
+
+
+def judged(content: Mapping[str, Any]) -> int:
+    """The exit code of a report: the counts and `passed` must both say that nothing differs."""
+    return EXIT_OK if counts_agree(content) and content["passed"] else EXIT_MISMATCH
 
 
 def summary(report: Report) -> str:

@@ -1,10 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Carry chains of a mapped ECP5 netlist, built again with less around them.
 
-Half of a CCU2C is a look-up table of four inputs p, a carry that goes through where p is 1, and a second table g of the
-inputs A and B that gives the carry where p is 0; its sum output is p xor the carry that comes in. yosys uses three of
-the inputs for an addition or subtraction and leaves everything else to look-up tables and to nextpnr, which spends a
-whole CCU2C for each carry that comes from or goes to the fabric. Here
+Of the four inputs of a half (ecp5_half.py) yosys uses three for an addition or subtraction. It leaves everything else
+to look-up tables and to nextpnr, which spends a whole CCU2C for each carry that comes from or goes to the fabric. Here
 
 - look-up tables in front of a chain move into it where p and g can still be said (the complement of a number that is
   added, `x or y` that is compared);
@@ -19,107 +17,22 @@ The function stays the same: each step is checked on the truth tables.
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import combinations, product
 from typing import Any
 
-Bit = int | str  # a net of yosys's netlist, or "0", "1", "x"
-Cell = dict[str, Any]
-PINS = "ABCD"
-
-
-@dataclass(frozen=True)
-class Table:
-    """A function of nets: bit i of `ones` is its value where the nets have the bits of i, the first the lowest."""
-
-    nets: tuple[Bit, ...]
-    ones: int
-
-    def at(self, values: dict[Bit, int]) -> int:
-        return self.ones >> sum(values[net] << place for place, net in enumerate(self.nets)) & 1
-
-
-def tabulate(nets: tuple[Bit, ...], function: Any) -> Table:
-    """The table of function({net: value}), without the nets that it does not depend on."""
-    for net in nets:
-        rest = tuple(n for n in nets if n != net)
-        if all(function(v | {net: 0}) == function(v | {net: 1}) for v in assignments(rest)):
-            return tabulate(rest, lambda v, net=net: function(v | {net: 0}))
-    return Table(nets, sum(function(v) << i for i, v in enumerate(assignments(nets))))
-
-
-def assignments(nets: tuple[Bit, ...]) -> Iterator[dict[Bit, int]]:
-    for values in product((0, 1), repeat=len(nets)):
-        yield dict(zip(nets, reversed(values)))
-
-
-def look_up(cell: Cell, init: str, pins: tuple[str, ...]) -> Table:
-    """What a look-up table of a cell says; pins that are not connected count as 1."""
-    ones = int(cell["parameters"][init], 2)
-    bits = [cell["connections"].get(pin, ["1"]) or ["1"] for pin in pins]
-    held = [bit[0] for bit in bits]
-    nets = tuple(dict.fromkeys(bit for bit in held if isinstance(bit, int)))
-
-    def value(values: dict[Bit, int]) -> int:
-        known = {"0": 0, "1": 1, "x": 0} | values
-        return ones >> sum(known[bit] << place for place, bit in enumerate(held)) & 1
-
-    return tabulate(nets, value)
-
-
-@dataclass(frozen=True)
-class Half:
-    """`carry` counts only where `through` is 0, and is None where no carry is needed; `out` is None where nobody reads
-    the sum."""
-
-    through: Table
-    carry: Table | None
-    out: Bit | None
-
-    @property
-    def nets(self) -> tuple[Bit, ...]:
-        return tuple(dict.fromkeys(self.through.nets + (self.carry.nets if self.carry else ())))
-
-    def fit(self) -> tuple[list[Bit], int] | None:
-        """(nets of A, B, C, D; INIT) of a half that does this, or None. INIT's lowest four bits are the table of the
-        carry, and also that of `through` where C and D are 0: so with two or three nets D is 1."""
-        nets = self.nets
-        if len(nets) > 4:
-            return None
-        for generate in combinations(nets, min(2, len(nets))):
-            others = [net for net in nets if net not in generate]
-            pins: list[Bit] = [*generate, *["1"] * (2 - len(generate)), *others, *["1"] * (2 - len(others))]
-            init = self._init(pins)
-            if init is not None:
-                return pins, init
-        return None
-
-    def _init(self, pins: list[Bit]) -> int | None:
-        table: list[int | None] = [None] * 16
-        for values in assignments(self.nets):
-            row = sum((1 if pin == "1" else values[pin]) << place for place, pin in enumerate(pins))
-            through = self.through.at(values)
-            carry = [] if through or self.carry is None else [(row & 3, self.carry.at(values))]
-            for place, wanted in [(row, through), *carry]:
-                if table[place] not in (None, wanted):
-                    return None
-                table[place] = wanted
-        return sum((bit or 0) << place for place, bit in enumerate(table))
-
-
-def constant(value: int) -> Table:
-    return Table((), value)
-
-
-def identity(net: Bit) -> Table:
-    return constant(int(net == "1")) if isinstance(net, str) else Table((net,), 2)
-
-
-def with_input(table: Table, net: Bit, inner: Table) -> Table:
-    """The table with another one in the place of a net."""
-    if net not in table.nets:
-        return table
-    nets = tuple(dict.fromkeys([n for n in table.nets if n != net] + list(inner.nets)))
-    return tabulate(nets, lambda values: table.at(values | {net: inner.at(values)}))
+from .ecp5_half import (
+    PINS,
+    Bit,
+    Cell,
+    Half,
+    constant,
+    first_carry,
+    identity,
+    look_up,
+    opposite,
+    tabulate,
+    with_input,
+    with_opposite_carry,
+)
 
 
 @dataclass
@@ -261,7 +174,7 @@ class CarryPacker:
             if halves:
                 halves[-1] = Half(halves[-1].through, None, halves[-1].out)
         while len(halves) > 1 and halves[0].out is None and isinstance(chain.start, str):
-            carry = _first_carry(halves[0], chain.start)
+            carry = first_carry(halves[0], chain.start)
             if len(carry.nets) == 0:
                 chain.start = str(carry.ones)
             elif carry == identity(carry.nets[0]):
@@ -278,7 +191,7 @@ class CarryPacker:
         half, start = chain.halves[0], chain.start
         nets = tuple(dict.fromkeys((*half.nets, start)))
         total = tabulate(nets, lambda values: half.through.at(values) ^ values[start])
-        first = Half(constant(0), _first_carry(half, start), None)
+        first = Half(constant(0), first_carry(half, start), None)
         if len(total.nets) == 1 and total == identity(total.nets[0]) and first.fit() is not None:
             self.aliases[chain.halves[0].out] = total.nets[0]
             chain.halves[0] = first
@@ -295,16 +208,16 @@ class CarryPacker:
             return
         for inverted in (False, True):
             if inverted:
-                halves = [_with_opposite_carry(half) for half in halves]
+                halves = [with_opposite_carry(half) for half in halves]
             start = int(chain.start == "1") ^ inverted
             low, high = halves[:2]
             nets = tuple(dict.fromkeys(low.nets + high.nets))
             if start == 1 or len(nets) > 4:
                 continue
-            first = _first_carry(low, str(start))
+            first = first_carry(low, str(start))
             assert high.carry is not None  # only the last half has none
             carry = tabulate(nets, lambda v, h=high, f=first: f.at(v) if h.through.at(v) else h.carry.at(v))
-            joined = Half(_opposite(carry), constant(1), None)
+            joined = Half(opposite(carry), constant(1), None)
             if all(half.fit() is not None for half in [joined, *halves[2:]]):
                 chain.halves, chain.start = [joined, *halves[2:]], "0"
                 return
@@ -372,29 +285,6 @@ class CarryPacker:
                 return
             for name in unread:
                 del self.cells[name]
-
-
-def _first_carry(half: Half, start: Bit) -> Table:
-    """The carry out of the lowest half."""
-    known = {"0": 0, "1": 1, "x": 0}
-    nets = half.nets if isinstance(start, str) else tuple(dict.fromkeys((*half.nets, start)))
-
-    def value(values: dict[Bit, int]) -> int:
-        if half.through.at(values):
-            return known[start] if isinstance(start, str) else values[start]
-        return half.carry.at(values) if half.carry else 0
-
-    return tabulate(nets, value)
-
-
-def _opposite(table: Table) -> Table:
-    return Table(table.nets, ~table.ones & ((1 << (1 << len(table.nets))) - 1))
-
-
-def _with_opposite_carry(half: Half) -> Half:
-    """The half in a chain where each carry is the opposite. What it gives out stays."""
-    through = half.through if half.out is None else _opposite(half.through)
-    return Half(through, _opposite(half.carry) if half.carry else None, half.out)
 
 
 def _inputs(cell: Cell) -> Iterator[Bit]:

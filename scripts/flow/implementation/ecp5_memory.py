@@ -7,7 +7,7 @@ register of its own, which yosys does not infer.
 
 from typing import Any
 
-from .ecp5_carry import Bit, Cell
+from .ecp5_half import Bit, Cell
 
 
 def use_output_registers(module: dict[str, Any]) -> int:

@@ -84,10 +84,14 @@ def register_names(verilog: str, netlist: dict[str, Any]) -> dict[str, str]:
     """{cell of yosys's netlist: register of the VHDL that it holds}, with the instances above it.
 
     yosys names a flip-flop after any wire that it drives, so the way back goes over its output: ghdl's Verilog says
-    `assign NAME = n123_q` for each register of the VHDL, and the netlist still knows the bits of both wires.
+    `assign NAME = n123_q` for each register of the VHDL, `assign n124_o = NAME`, `{30'b0, NAME}` or `NAME[3]` where it
+    is read, and the netlist still knows the bits of one of these wires.
     """
     module = netlist["modules"][TOP]
     named = {register: name for name, register in re.findall(r"^  assign (\w+) = (n\d+_q);", verilog, re.MULTILINE)}
+    reader = r"^  assign (n\d+_o) = (?:\{\d+'b0, )?(\w+)(?:\[[\d:]+\])?\}?;"
+    registers = set(named.values())
+    named |= {wire: name for wire, name in re.findall(reader, verilog, re.MULTILINE) if name in registers}
     wires = module["netnames"]
     owner: dict[int | str, str] = {}
     for wire, content in wires.items():
@@ -97,7 +101,6 @@ def register_names(verilog: str, netlist: dict[str, Any]) -> dict[str, str]:
             for bit in [*wires.get(name, {"bits": []})["bits"], *content["bits"]]:
                 owner.setdefault(bit, name)
     # Where yosys kept the register's own name only.
-    registers = set(named.values())
     for wire, content in wires.items():
         if wire.rpartition(".")[2] in registers:
             for bit in content["bits"]:

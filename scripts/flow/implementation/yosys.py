@@ -32,9 +32,9 @@ def version() -> str:
     return match.group() if os.environ.get("YOSYS") else f"{match.group()} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
-# The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read in
-# the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register is
-# the RAM's own.
+# The memories of the cell line_memory.vhd, as ghdl names them. In these families a core looks at no word that is read
+# in the clock in which it is written (test_memory_collisions.py): without a bypass around the RAM, its output register
+# is the RAM's own.
 LINE_MEMORIES = "m:*column_n*_memory"
 WITHOUT_BYPASS = ("block_matching",)
 

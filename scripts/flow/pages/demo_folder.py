@@ -15,7 +15,7 @@ from ..base import json_files, rtl
 from ..base.configurations import option
 from ..base.errors import FlowError
 from ..cosim.checker import Interval
-from ..cosim.report import Report
+from ..cosim.report import Report, counts_agree
 from ..implementation.results import Configuration
 from ..synthesis.manifest import ToolReport
 from .published import PAPER, PAPER_WINDOW_PX
@@ -143,8 +143,7 @@ def _read_cosim(path: Path, config: str) -> Report:
     report: Report = _read_json(path, Report)
     if report["initiation_interval"] is not None:
         _check(path, report["initiation_interval"], Interval)
-    counts_agree = 0 < report["expected"] == report["compared"] and report["mismatches"] == 0
-    if report["passed"] != counts_agree:
+    if report["passed"] != counts_agree(report):
         raise FlowError(f"{path} is damaged: its numbers do not say what its 'passed' says")
     if report["config"] != config:
         raise FlowError(f"{path} is of configuration {report['config']!r}, but the disparity map is of {config}")

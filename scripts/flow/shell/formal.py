@@ -27,8 +27,8 @@ class Proof:
 PROOFS = (
     Proof("line_memory", {"width": 1}),
     Proof("line_memory", {"width": 61}),
-    Proof("stream_register", {"width": 1}),
-    Proof("stream_register", {"width": 2}),
+    Proof("stream_register", {"flag_bits": 1, "data_bits": 1}),
+    Proof("stream_register", {"flag_bits": 1, "data_bits": 2}),
     Proof("stream_fifo", {"depth": 1, "width": 1}),
     Proof("stream_fifo", {"depth": 2, "width": 1}),
     Proof("stream_fifo", {"depth": 3, "width": 1}),

@@ -103,6 +103,8 @@ def mux(condition: Node, yes: Node, no: Node) -> Node:
         held = _held_bit(yes, no)
         if held is not None:
             return mux(held[0], condition, held[1])
+        if yes is bit_not(no):
+            return bit_xor(condition, no)
         if is_const(yes, 1):
             return bit_or(condition, no)
         if is_const(no, 0):
