@@ -12,7 +12,9 @@ inline constexpr int kFilters = 3;
 /// The filters of one scale along a column: boxes of `kStep` rows, then L, E and O of five of them, kStep apart.
 /// kClocks clocks, as many for every scale: where a box is smaller, registers are empty.
 ///
-/// No number is below 0, since E and O are kept with a bias. The filters along the rows cancel it.
+/// No number is below 0, since E and O are kept with a bias. The filters along the rows cancel it. The bias comes with
+/// the first difference: the front end keeps a register that is only subtracted negated, and the tool then loses its
+/// sign.
 template <const auto& C, int Scale>
 struct ColumnFilter {
    static constexpr int kStep = 1 << Scale;
@@ -26,9 +28,11 @@ struct ColumnFilter {
    static constexpr int kBits = bits_for(2 * kOddBias);
 
    uint16_t box[kBoxClocks > 0 ? kBoxClocks : 1][kTaps][kParts];  ///< [clock][tap]: parts that are still apart
-   uint16_t centre, near, outer;                                  ///< box 0, -1 and 1, -2 and 2
-   uint16_t upper, lower;                                         ///< boxes -2 and -1, 2 and 1, the nearer one twice
-   uint16_t response[kFilters];                                   ///< L, E + kEvenBias, O + kOddBias
+   uint16_t centre, near;                                         ///< box 0, boxes -1 and 1
+   uint16_t outer;                                                ///< kEvenBias less boxes -2 and 2
+   uint16_t upper;               ///< kOddBias less boxes -2 and -1, the nearer one twice
+   uint16_t lower;               ///< boxes 2 and 1, the nearer one twice
+   uint16_t response[kFilters];  ///< L, E + kEvenBias, O + kOddBias
 
    HLS_INLINE ColumnFilter() { start(*this); }
 
@@ -46,8 +50,8 @@ struct ColumnFilter {
    HLS_INLINE void clock(const uint8_t (&column)[kRows]) {
       constexpr uint16_t kMask = uint16_t((1u << kBits) - 1);
       response[0] = uint16_t(near + 2 * centre) & kMask;
-      response[1] = uint16_t(2 * centre + kEvenBias - outer) & kMask;
-      response[2] = uint16_t(lower + kOddBias - upper) & kMask;
+      response[1] = uint16_t(2 * centre + outer) & kMask;
+      response[2] = uint16_t(lower + upper) & kMask;
       uint16_t tap[kTaps];
       HLS_UNROLL
       for (int n = 0; n < kTaps; ++n) {
@@ -56,8 +60,8 @@ struct ColumnFilter {
       }
       centre = tap[2];
       near = uint16_t(tap[1] + tap[3]);
-      outer = uint16_t(tap[0] + tap[4]);
-      upper = uint16_t(tap[0] + 2 * tap[1]);
+      outer = uint16_t(kEvenBias - tap[0] - tap[4]);
+      upper = uint16_t(kOddBias - tap[0] - 2 * tap[1]);
       lower = uint16_t(tap[4] + 2 * tap[3]);
       if constexpr (kBoxClocks > 0) add_boxes<kBoxClocks - 1>(column);
    }

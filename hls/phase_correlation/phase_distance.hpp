@@ -12,31 +12,29 @@ template <const auto& C>
 struct FeatureDistance<C, phase_correlation::kPhaseCost> {
    static constexpr int kGroupBits = 3;
    static constexpr int kGroups = C.feature_bits() / kGroupBits;
-   struct First {
-      uint8_t count[kGroups];
+   static constexpr int kLaneBits = 2;
+   /// A count in each lane. One word: the front end joins a record of a few bytes anyway, with gaps.
+   using First = uint_of_bits<kGroups * kLaneBits>;
 
-      template <class Visitor>
-      HLS_INLINE void registers(Visitor& visit) {
-         visit("count", count);
-      }
-   };
    static HLS_INLINE First first(Feature<C> a, Feature<C> b) {
       const Feature<C> x = Feature<C>(a ^ b);
-      First counts;
+      First counts = 0;
       HLS_UNROLL
-      for (int g = 0; g < kGroups; ++g)
-         counts.count[g] =
-             uint8_t((x >> kGroupBits * g & 1) + (x >> (kGroupBits * g + 1) & 1) + (x >> (kGroupBits * g + 2) & 1));
+      for (int g = 0; g < kGroups; ++g) {
+         const int bit = g * kGroupBits;
+         const First count = First((x >> bit & 1) + (x >> (bit + 1) & 1) + (x >> (bit + 2) & 1));
+         counts |= First(count << g * kLaneBits);
+      }
       return counts;
    }
-   static HLS_INLINE uint8_t second(const First& counts) { return sum<0, kGroups>(counts); }
+   static HLS_INLINE uint8_t second(First counts) { return sum<0, kGroups>(counts); }
 
   private:
    /// A balanced tree of additions.
    template <int From, int Number>
-   static HLS_INLINE uint8_t sum(const First& counts) {
+   static HLS_INLINE uint8_t sum(First counts) {
       constexpr int kScale = From * kGroupBits / phase_correlation::CodeConfig::kBitsOfScale;
-      if constexpr (Number == 1) return uint8_t(counts.count[From] * C.weight(kScale));
+      if constexpr (Number == 1) return uint8_t((counts >> From * kLaneBits & 3) * C.weight(kScale));
       else return uint8_t(sum<From, Number / 2>(counts) + sum<From + Number / 2, Number - Number / 2>(counts));
    }
 };

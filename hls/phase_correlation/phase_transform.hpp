@@ -21,7 +21,17 @@ struct PhaseTransform {
    static constexpr int kLagGroups = C.transform_groups() * C.width_px + C.transform_columns();
    static constexpr int kMemories = 2 * Rows::kMemories;
 
-   /// What travels beside the pixels.
+   struct Start {
+      bool start_of_frame;  ///< the centre is the first of a frame
+      bool valid;
+
+      template <class Visitor>
+      HLS_INLINE void registers(Visitor& visit) {
+         visit("start_of_frame", start_of_frame);
+         visit("valid", valid);
+      }
+   };
+   /// What travels beside the whole columns.
    struct Tag {
       bool inside[C.scales];  ///< [scale]: its filters around the centre lie in the image
       bool start_of_frame;    ///< the centre is the first of a frame
@@ -39,8 +49,10 @@ struct PhaseTransform {
    bool valid;
    Counter counter;
    Rows left_rows, right_rows;  // clocks 2 and 3
-   Tag read, ready;
+   Start read, ready;
    uint16_t read_column, ready_column, write_column;
+   uint16_t centre_column, centre_group;             // clock 2: which pixel is the centre
+   bool from_first[C.scales], up_to_last[C.scales];  // clock 3: [scale]: within two sides of the image each
    uint8_t left_column[kRows], right_column[kRows];  // clock 4
    Tag columns;
    Code left_code, right_code;    // from clock 5 on
@@ -65,6 +77,10 @@ struct PhaseTransform {
       visit("ready", ready);
       visit("ready_column", ready_column);
       visit("write_column", write_column);
+      visit("centre_column", centre_column);
+      visit("centre_group", centre_group);
+      visit("from_first", from_first);
+      visit("up_to_last", up_to_last);
       visit("left_column", left_column);
       visit("right_column", right_column);
       visit("columns", columns);
@@ -95,13 +111,14 @@ struct PhaseTransform {
          left_column[row] = left_rows.row(row);
          right_column[row] = right_rows.row(row);
       }
-      copy(columns, ready);
+      find_inside();
       left_rows.clock(left, counter.column, ready.valid, write_column);
       right_rows.clock(right, counter.column, ready.valid, write_column);
       write_column = select<uint16_t>(ready.valid, ready_column, write_column);
-      copy(ready, read);
+      find_sides<0>();
+      ready = read;
       ready_column = read_column;
-      find_place();
+      find_centre();
       counter.clock(in.valid, in.start_of_frame);
       valid = in.valid;
       left[0] = in.left[0];
@@ -112,25 +129,37 @@ struct PhaseTransform {
    static constexpr int kLagRows = C.transform_groups();
    static constexpr int kLagColumns = C.transform_columns();
 
-   HLS_INLINE void find_place() {
-      find_inside<0>(counter.column, counter.group);
+   // Three clocks find out which filters lie in the image. Two comparisons of one number in one clock would become a
+   // subtraction, of which the tool drops the sign.
+
+   /// The columns after the centre may be the first ones of the next row: then the centre stands in the row before.
+   /// centre_group counts from 1, so that it is never below 0.
+   HLS_INLINE void find_centre() {
+      const bool same_row = counter.column >= kLagColumns;
+      centre_column = at_most<C.width_px - 1>(
+          select<uint16_t>(same_row, counter.column - kLagColumns, counter.column + C.width_px - kLagColumns));
+      centre_group = select<uint16_t>(same_row, counter.group + 1, counter.group);
       read.start_of_frame = (counter.group == kLagRows) & (counter.column == kLagColumns);
       read.valid = valid;
       read_column = counter.column;
    }
 
-   /// Of scales K, K+1, ... The columns after the centre may be the first ones of the next row: then the centre stands
-   /// in the row before. Recursion: each scale has its own numbers. Without &&, which would be a branch.
+   /// Of scales K, K+1, ... Recursion: each scale has its own numbers. Without &&, which would be a branch.
    template <int K>
-   HLS_INLINE void find_inside(int column, int group) {
+   HLS_INLINE void find_sides() {
       constexpr FilterReach kReach = C.reach(K);
-      constexpr int kFirstRow = kReach.above + kLagRows, kLastRow = C.height_px - 1 - kReach.below + kLagRows;
-      constexpr int kFirst = kReach.before + kLagColumns, kLast = C.width_px - 1 - kReach.after + kLagColumns;
-      const bool here = (column >= kFirst) & (column <= kLast) & (group >= kFirstRow) & (group <= kLastRow);
-      const bool before = (column >= kFirst - C.width_px) & (column <= kLast - C.width_px) & (group > kFirstRow) &
-                          (group <= kLastRow + 1);
-      read.inside[K] = select<bool>(column >= kLagColumns, here, before);
-      if constexpr (K + 1 < C.scales) find_inside<K + 1>(column, group);
+      constexpr int kFirstGroup = kLagRows + 1;
+      from_first[K] = (centre_column >= kReach.before) & (centre_group >= kFirstGroup + kReach.above);
+      up_to_last[K] = (centre_column <= C.width_px - 1 - kReach.after) &
+                      (centre_group <= kFirstGroup + C.height_px - 1 - kReach.below);
+      if constexpr (K + 1 < C.scales) find_sides<K + 1>();
+   }
+
+   HLS_INLINE void find_inside() {
+      HLS_UNROLL
+      for (int k = 0; k < C.scales; ++k) columns.inside[k] = from_first[k] & up_to_last[k];
+      columns.start_of_frame = ready.start_of_frame;
+      columns.valid = ready.valid;
    }
 
    static HLS_INLINE void copy(Tag& to, const Tag& from) {
