@@ -91,7 +91,7 @@ def test_where_phase_correlation_wins_is_counted(two):
         return [*two, entry]
 
     # Block matching has 0.3, OpenCV 0.15, semi-global 0.12.
-    assert "pixels in 1, fewer than the best block\nmatching in 2, fewer than semi-global matching in 1." in (
+    assert "pixels in 1, fewer than the\nbest block matching in 2, fewer than semi-global matching in 1." in (
         quality.phase_wins([with_phase(0.05), with_phase(0.2), with_phase(0.4)])
     )
 

@@ -185,8 +185,8 @@ def phase_wins(cameras: list[Measured]) -> str:
     matching = wins([bad_1(best_of_family(results, "block_matching")[1]) for results in cameras])
     smooth = wins([bad_1(best_of_family(results, "semi_global")[1]) for results in cameras])
     return (
-        f"Of these {len(cameras)} rows, phase correlation has the fewest bad pixels in {fewest}, fewer than the best block\n"
-        f"matching in {matching}, fewer than semi-global matching in {smooth}."
+        f"Of these {len(cameras)} rows, phase correlation has the fewest bad pixels in {fewest}, fewer than the\n"
+        f"best block matching in {matching}, fewer than semi-global matching in {smooth}."
     )
 
 
