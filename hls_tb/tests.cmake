@@ -48,6 +48,8 @@ stereo_add_unit_tests(
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
+  blocks/phase_correlation/phase_transform_test.cpp
+  blocks/phase_correlation/phase_distance_test.cpp
   blocks/semi_global/config_test.cpp
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
@@ -73,14 +75,17 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/phase_correlation/reference_model_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
+  engines/fast/phase_correlation/fast_model_test.cpp
   engines/fast/semi_global/fast_model_test.cpp
   engines/fast/trellis/fast_model_test.cpp
   fuzz/replay_test.cpp
   program/commands/options_json_test.cpp
   program/depth/depth_test.cpp
+  program/evaluation/camera_difference_test.cpp
   program/evaluation/masks_test.cpp
   program/evaluation/measures_test.cpp
   program/evaluation/truth_test.cpp

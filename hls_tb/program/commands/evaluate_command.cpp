@@ -11,6 +11,7 @@
 #include "program/commands/options_json.hpp"
 #include "program/commands/timed.hpp"
 #include "program/errors.hpp"
+#include "program/evaluation/camera_difference.hpp"
 #include "program/evaluation/evaluation.hpp"
 #include "program/evaluation/opencv_matchers.hpp"
 #include "program/io/disparity_files.hpp"
@@ -26,11 +27,13 @@ struct Arguments {
    int border_px = kIgnoredBorder;
    std::vector<std::string> configs, settings, opencv, disparities, references;
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
+   CameraDifference cameras;
 };
 
 /// The images and, of each that has one, truth and masks.
 struct GroundTruth {
-   ImagePair pair;
+   ImagePair pair;  ///< as loaded: which pixels count does not depend on the cameras
+   ImagePair seen;  ///< what is matched
    std::optional<DisparityImage> left, right;
    std::vector<NamedMask> left_masks, right_masks;
 
@@ -58,6 +61,7 @@ GroundTruth load(const Arguments& arguments) {
       throw InputError("evaluate: give the true disparities with --truth-left, --truth-right or both");
    GroundTruth truth;
    truth.pair = load_pair(arguments.left, arguments.right);
+   truth.seen = seen_by(truth.pair, arguments.cameras);
    truth.left = load_truth("--truth-left", arguments.truth_left, arguments.truth_scale, truth.pair.left);
    truth.right = load_truth("--truth-right", arguments.truth_right, arguments.truth_scale, truth.pair.right);
    const auto address = [](const std::optional<DisparityImage>& image) { return image ? &*image : nullptr; };
@@ -98,7 +102,7 @@ DisparityRange range_of(const Algorithm& algorithm) {
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const auto algorithm = named_algorithm(name, arguments.settings);
    EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options()), 0, {}};
-   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.pair, *algorithm); });
+   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.seen, *algorithm); });
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
    method.reference = geometry.reference;
    score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
@@ -111,7 +115,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }),
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher); }),
          DisparityRange{0, matcher.disparities}, truth);
    return method;
 }
@@ -198,6 +202,16 @@ void add_evaluate(CLI::App& app) {
        ->capture_default_str();
    command->add_option("--border", arguments.border_px, "pixels at each side of the images that do not count")
        ->check(CLI::Range(0, 10000))
+       ->capture_default_str();
+   command->add_option("--gain", arguments.cameras.gain, "match with a right image of so many times its grey values")
+       ->check(check_positive_number)
+       ->capture_default_str();
+   command->add_option("--offset", arguments.cameras.offset, "and so many grey levels more")->capture_default_str();
+   command->add_option("--noise", arguments.cameras.noise, "match with noise of this deviation in both images")
+       ->check(CLI::Range(0, 255))
+       ->capture_default_str();
+   command->add_option("--noise-seed", arguments.cameras.seed, "another number, other noise")
+       ->check(CLI::NonNegativeNumber)
        ->capture_default_str();
    add_methods(*command, arguments);
    command->add_option("--json", arguments.json, "file for the results, as JSON");

@@ -76,7 +76,7 @@ SYSTEMS = [
     System("Han and Hwang", "640x480, D=128, SAD, block not stated: 9x9 here", 60, _TEXT, "han_640"),
     System("DeepSea", "512x480, D=52, census", 200, _TABLE, "deepsea_512", "ASIC"),
     System("Kim et al.", "1300x640, D not stated: 64 here, trellis", 30, _TABLE, "trellis_1300", "2 FPGAs"),
-    System("PARTS", "320x240, D=24, local weighted phase correlation", 42, _TABLE, None, "16 FPGAs"),
+    System("PARTS", "320x240, D=24, local weighted phase correlation", 42, _TABLE, "parts_320", "16 FPGAs"),
     System("Masrani et al.", "640x480, D dynamic, local weighted phase correlation", 30, _TABLE, None, "4 FPGAs"),
     System("OpenCV StereoBM, block 15", "450x375, D=64, checks, subpixel", None, _OURS, "opencv_bm"),
     System("best block matching in quality.md", "450x375, D=48, census 9x3, 9x9", None, _OURS, "census_450"),

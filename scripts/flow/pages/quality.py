@@ -34,6 +34,7 @@ _CENSUS_9X3 = (
     "window_px=9",
     "median=true",
 )
+_PHASE = ("reference=left",)
 OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("SAD 3x3, the paper's", "ambrosch2007", ()),
     ("SAD 9x9, left reference, subpixel", "ambrosch2007", (*_PLAIN, "window_px=9")),
@@ -58,13 +59,45 @@ OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("semi-global, single pixels, `sgm_640`, subpixel", "sgm_640", ("subpixel=true",)),
     ("trellis, `trellis_1300`", "trellis_1300", ()),
     ("trellis, `trellis_1300`, occluded pixels shown", "trellis_1300", ("mark_occluded=false",)),
+    ("phase correlation, 1 scale, window 9x9", "parts_320", (*_PHASE, "phase_scales=1")),
+    ("phase correlation, 2 scales, window 9x9", "parts_320", _PHASE),
+    ("phase correlation, 3 scales, window 9x9", "parts_320", (*_PHASE, "phase_scales=3")),
+    ("phase correlation, 2 scales, window 9x9, median", "parts_320", (*_PHASE, "median=true")),
+    ("phase correlation, 2 scales, window 9x9, right reference", "parts_320", ()),
 ]
 # Of the base configurations.
-_FAMILY = {"sgm_450": "semi_global", "sgm_640": "semi_global", "trellis_1300": "trellis"}
+_FAMILY = {
+    "sgm_450": "semi_global",
+    "sgm_640": "semi_global",
+    "trellis_1300": "trellis",
+    "parts_320": "phase_correlation",
+}
 _OTHERS = "block_matching"
 PAIR_DISPARITIES = 48
 SCENE_DISPARITIES = 64
 SCENE_SEEDS = (1, 2, 3)
+
+# Rows that are also measured with cameras that differ, and how they differ: (title, options of `evaluate`).
+CAMERA_ROWS = (
+    "SAD 9x9, left reference, subpixel",
+    "as StereoBM, without its checks",
+    "census 5x5, window 9x9",
+    "census 9x3, window 9x9, median",
+    "semi-global, `sgm_450`",
+    "trellis, `trellis_1300`, occluded pixels shown",
+    "phase correlation, 1 scale, window 9x9",
+    "phase correlation, 2 scales, window 9x9",
+    "phase correlation, 3 scales, window 9x9",
+)
+CAMERA_OPENCV = ("bm", "sgbm")
+_GAIN: tuple[Word, ...] = ("--gain", 0.8, "--offset", 10)
+CAMERAS: tuple[tuple[str, tuple[Word, ...]], ...] = (
+    ("as they are", ()),
+    ("gain 0.8, offset 10", _GAIN),
+    ("noise 3", ("--noise", 3)),
+    ("gain, offset, noise 3", (*_GAIN, "--noise", 3)),
+    ("noise 6", ("--noise", 6)),
+)
 
 TEXTS = Path(__file__).parent / "texts"
 RULES = (TEXTS / "quality_rules.md").read_text().rstrip()
@@ -80,12 +113,16 @@ def missing_files(pair: Path) -> list[str]:
     return [str(pair / name) for name in PAIR_FILES if not (pair / name).is_file()]
 
 
-def measure(images: Iterable[Word], disparities: int) -> Measured:
-    """OpenCV's matchers and ours."""
-    images = list(images)
-    opencv = [word for name in OPENCV for word in ("--opencv", name)]
-    results = [(m["name"], m) for m in evaluate(*images, *opencv, "--opencv-disparities", disparities)]
+def measure(
+    images: Iterable[Word], disparities: int, opencv: Iterable[str] = OPENCV, titles: Iterable[str] = ()
+) -> Measured:
+    """OpenCV's matchers and ours, all of ours unless `titles` are given."""
+    images, named = list(images), set(titles)
+    matchers = [word for name in opencv for word in ("--opencv", name)]
+    results = [(m["name"], m) for m in evaluate(*images, *matchers, "--opencv-disparities", disparities)]
     for title, config, settings in OURS:
+        if named and title not in named:
+            continue
         words = [word for setting in (f"disparities={disparities}", *settings) for word in ("--set", setting)]
         results += [(title, m) for m in evaluate(*images, "--config", config, *words)]
     return results
@@ -105,6 +142,52 @@ def bad_1(method: Method, mask: str = "non_occluded") -> float:
 
 def percent(fraction: float | None, digits: int = 2) -> str:
     return number(None if fraction is None else 100 * fraction, digits)
+
+
+def measure_cameras(images: Iterable[Word], disparities: int) -> list[Measured]:
+    """One list for each of CAMERAS."""
+    images = list(images)
+    return [measure([*images, *words], disparities, CAMERA_OPENCV, CAMERA_ROWS) for _, words in CAMERAS]
+
+
+def cameras_table(runs: Iterable[list[Measured]]) -> str:
+    """Bad 1; figures are means over the runs."""
+    rows = []
+    for same in zip(*([*zip(*cameras)] for cameras in runs)):
+        cells = [percent(_mean([bad_1(run[camera][1]) for run in same])) for camera in range(len(CAMERAS))]
+        rows.append([same[0][0][0], *cells])
+    return table(["method", *(title for title, _ in CAMERAS)], rows)
+
+
+def winners_table(cameras: list[Measured]) -> str:
+    """Of each of CAMERAS: the method with the fewest bad pixels, of all and of some families."""
+    rows = []
+    for (camera, _), results in zip(CAMERAS, cameras):
+        best = [
+            min(results, key=lambda entry: bad_1(entry[1])),
+            best_of_family(results, "phase_correlation"),
+            best_of_family(results, "block_matching"),
+            best_of_family(results, "semi_global"),
+        ]
+        rows.append([camera, *(f"{title}: {percent(bad_1(method))}" for title, method in best)])
+    return table(["cameras", "fewest of all", "best phase correlation", "best block matching", "semi-global"], rows)
+
+
+def phase_wins(cameras: list[Measured]) -> str:
+    """With how many of CAMERAS phase correlation has fewer bad pixels than others."""
+    phase = [bad_1(best_of_family(results, "phase_correlation")[1]) for results in cameras]
+
+    def wins(others: list[float]) -> int:
+        return sum(ours < theirs for ours, theirs in zip(phase, others))
+
+    own = {title for title, config, _ in OURS if _FAMILY.get(config) == "phase_correlation"}
+    fewest = wins([min(bad_1(method) for title, method in results if title not in own) for results in cameras])
+    matching = wins([bad_1(best_of_family(results, "block_matching")[1]) for results in cameras])
+    smooth = wins([bad_1(best_of_family(results, "semi_global")[1]) for results in cameras])
+    return (
+        f"Of these {len(cameras)} rows, phase correlation has the fewest bad pixels in {fewest}, fewer than the\n"
+        f"best block matching in {matching}, fewer than semi-global matching in {smooth}."
+    )
 
 
 def _mean(values: list[float | None]) -> float | None:
@@ -189,17 +272,21 @@ def verdict(results: Measured) -> str:
 
 
 def scenes_text() -> str:
-    runs = []
+    runs, cameras = [], []
     with tempfile.TemporaryDirectory() as folder:
         for seed in SCENE_SEEDS:
             images = scene(seed, SCENE_DISPARITIES, Path(folder) / str(seed))
-            runs.append(measure([word for option in images.items() for word in option], SCENE_DISPARITIES))
+            words = [word for option in images.items() for word in option]
+            runs.append(measure(words, SCENE_DISPARITIES))
+            cameras.append(measure_cameras(words, SCENE_DISPARITIES))
     text, seeds = (TEXTS / "quality_scenes.md").read_text(), ", ".join(map(str, SCENE_SEEDS))
-    return text.format(disparities=SCENE_DISPARITIES, seeds=seeds, regions=regions_table(runs)).rstrip()
+    regions, differing = regions_table(runs), cameras_table(cameras)
+    return text.format(disparities=SCENE_DISPARITIES, seeds=seeds, regions=regions, cameras=differing).rstrip()
 
 
 def page(pair: Path) -> str:
     results = measure(pair_images(pair), PAIR_DISPARITIES)
+    cameras = measure_cameras(pair_images(pair), PAIR_DISPARITIES)
     return (
         (TEXTS / "quality.md")
         .read_text()
@@ -211,6 +298,9 @@ def page(pair: Path) -> str:
             tolerance=f"{100 * OPENCV_TOLERANCE:g}",
             stored=stored_table(dict(results)[BM]),
             verdict=verdict(results),
+            cameras=cameras_table([cameras]),
+            winners=winners_table(cameras),
+            phase_wins=phase_wins(cameras),
             scenes=scenes_text(),
         )
     )

@@ -165,18 +165,24 @@ bool fits_16_bits(int width, int height, const Matching& matching) {
 
 }  // namespace
 
+DisparityMap match_codes(const std::vector<uint64_t>& left, const std::vector<uint64_t>& right, int width,
+                         const Matching& matching) {
+   const int height = int(left.size()) / width;
+   DisparityMap map(map_width(width, matching), height, 0, matching.subpixel);
+   const Words pair(left, right, width, matching, kLanes);
+   (fits_16_bits(width, height, matching) ? match_census_16 : match_census_32)(pair, matching, map);
+   return map;
+}
+
 DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
-   const bool narrow = fits_16_bits(left.width, left.height, matching);
    if (matching.cost == Cost::census) {
       const int width = matching.census_width_px, height = matching.census_height_px;
-      const Words pair(fast::census(left, width, height), fast::census(right, width, height), left.width, matching,
-                       kLanes);
-      (narrow ? match_census_16 : match_census_32)(pair, matching, map);
-   } else {
-      const Bytes pair(left.pixels, right.pixels, left.width, matching, kLanes);
-      (matching.cost == Cost::ssd ? match_ssd_32 : narrow ? match_sad_16 : match_sad_32)(pair, matching, map);
+      return match_codes(fast::census(left, width, height), fast::census(right, width, height), left.width, matching);
    }
+   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
+   const bool narrow = fits_16_bits(left.width, left.height, matching);
+   const Bytes pair(left.pixels, right.pixels, left.width, matching, kLanes);
+   (matching.cost == Cost::ssd ? match_ssd_32 : narrow ? match_sad_16 : match_sad_32)(pair, matching, map);
    return map;
 }
 

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user of the hardware top names: the core of this family and its named configurations.
+#pragma once
+
+#include "phase_correlation/configurations.hpp"
+#include "phase_correlation/core.hpp"

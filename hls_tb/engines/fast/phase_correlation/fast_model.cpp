@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/phase_correlation/fast_model.hpp"
+
+#include "definition/mirror.hpp"
+#include "definition/phase_correlation/matching_input.hpp"
+#include "engines/fast/block_matching/general_matcher.hpp"
+#include "engines/fast/median.hpp"
+#include "engines/fast/phase_correlation/phase_codes.hpp"
+
+namespace stereo::phase_correlation {
+namespace {
+
+/// All but the median, the right image as reference.
+DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   return block_matching::match_codes(fast::weighted_phase_codes(left, matching.phase_scales),
+                                      fast::weighted_phase_codes(right, matching.phase_scales), left.width,
+                                      matching.block_matching());
+}
+
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   DisparityMap map = matching.reference == Reference::right
+                          ? match_right(left, right, matching)
+                          : mirrored(match_right(mirrored(right), mirrored(left), matching));
+   if (matching.median) map = fast::median_3x3(map);
+   return map;
+}
+
+}  // namespace stereo::phase_correlation

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+#include "phase_correlation/matching.hpp"
+
+namespace stereo::phase_correlation {
+
+/// The same map as the reference model, much faster; images of any size. Throws std::invalid_argument as
+/// check_matching_input does.
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching);
+
+}  // namespace stereo::phase_correlation

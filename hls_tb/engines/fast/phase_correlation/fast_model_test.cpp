@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engines/fast/phase_correlation/fast_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "definition/block_matching/matching_input.hpp"
+#include "definition/phase_correlation/models.hpp"
+#include "scene/random.hpp"
+#include "testing/map_compare.hpp"
+#include "testing/seed.hpp"
+#include "testing/test_pairs.hpp"
+
+namespace stereo::test {
+namespace {
+
+using phase_correlation::Matching;
+
+/// Any options that the models take, for images of this width.
+Matching random_options(Random& random, int width) {
+   Matching m{.disparities = 1 + random.below(std::min(width - 2, 40))};
+   m.window_px = random.percent(60) ? 1 + random.below(9) : 1 + random.below(30);
+   if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
+   while (block_matching::cost_columns(width, m.block_matching()) < 2) m.min_disparity /= 2;
+   m.reference = random.percent(50) ? Reference::right : Reference::left;
+   m.phase_scales = 1 + random.below(3);
+   m.ties = random.percent(50) ? Ties::smallest : Ties::largest;
+   if (random.percent(40)) m.left_right_threshold = random.below(m.disparities);
+   if (random.percent(40)) m.uniqueness_percent = random.below(101);
+   m.subpixel = random.percent(50);
+   m.median = random.percent(40);
+   return m;
+}
+
+TEST(PhaseCorrelationFastModel, EqualsTheReferenceWithAnyOptions) {
+   Random random(test_seed());
+   for (int i = 0; i < 300; ++i) {
+      // Also images that are smaller than the filters.
+      const int width = 4 + random.below(70), height = 1 + random.below(40);
+      const Matching matching = random_options(random, width);
+      ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const int kind = random.below(10);
+      if (kind == 0) pair = {GrayImage(width, height, 255), GrayImage(width, height, 0)};
+      if (kind > 5) pair = shifted_pair(width, height, random.below(width), test_seed() + uint64_t(i));
+      ASSERT_TRUE(
+          same_map(match_reference(pair.left, pair.right, matching), match_fast(pair.left, pair.right, matching)))
+          << i << ": " << width << 'x' << height << ' ' << describe(matching);
+   }
+}
+
+TEST(PhaseCorrelationFastModel, EqualsTheReferenceOnLargerImages) {
+   for (const NamedPair& pair : test_pairs(150, 40, 64, test_seed()))
+      for (const int scales : {1, 2, 3}) {
+         const Matching matching{.disparities = 40, .phase_scales = scales, .subpixel = true};
+         EXPECT_TRUE(same_map(match_reference(pair.images.left, pair.images.right, matching),
+                              match_fast(pair.images.left, pair.images.right, matching)))
+             << pair.name << ' ' << scales;
+      }
+}
+
+TEST(PhaseCorrelationFastModel, RejectsWhatTheReferenceRejects) {
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);
+   EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 4, .phase_scales = 4}),
+                std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace stereo::test
