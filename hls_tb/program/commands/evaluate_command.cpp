@@ -9,6 +9,7 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
+#include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/errors.hpp"
 #include "program/evaluation/evaluation.hpp"
@@ -26,6 +27,7 @@ struct Arguments {
    int border_px = kIgnoredBorder;
    std::vector<std::string> configs, settings, opencv, disparities, references;
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
+   int threads = 1;
 };
 
 /// The images and, of each that has one, truth and masks.
@@ -98,7 +100,8 @@ DisparityRange range_of(const Algorithm& algorithm) {
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const auto algorithm = named_algorithm(name, arguments.settings);
    EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options()), 0, {}};
-   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.pair, *algorithm); });
+   const DisparityMap map =
+       timed(method.milliseconds, [&] { return match_named(name, truth.pair, *algorithm, arguments.threads); });
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
    method.reference = geometry.reference;
    score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
@@ -111,7 +114,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher); }),
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.pair, matcher, arguments.threads); }),
          DisparityRange{0, matcher.disparities}, truth);
    return method;
 }
@@ -142,8 +145,13 @@ void evaluate(const Arguments& arguments) {
    if (arguments.configs.empty() && !arguments.settings.empty())
       throw InputError("--set: changes the options of configurations; name one with --config");
    const GroundTruth truth = load(arguments);
-   Evaluation evaluation{arguments.left,         arguments.right,     truth.pair.left.width,
-                         truth.pair.left.height, arguments.border_px, {}};
+   Evaluation evaluation{arguments.left,
+                         arguments.right,
+                         truth.pair.left.width,
+                         truth.pair.left.height,
+                         arguments.border_px,
+                         arguments.threads,
+                         {}};
    for (const std::string& name : arguments.configs)
       evaluation.methods.push_back(evaluate_core(name, arguments, truth));
    for (const std::string& word : arguments.opencv)
@@ -200,6 +208,7 @@ void add_evaluate(CLI::App& app) {
        ->check(CLI::Range(0, 10000))
        ->capture_default_str();
    add_methods(*command, arguments);
+   add_threads_option(*command, arguments.threads, "the fast model and of OpenCV");
    command->add_option("--json", arguments.json, "file for the results, as JSON");
    command->callback([] { evaluate(arguments); });
 }

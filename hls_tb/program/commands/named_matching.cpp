@@ -18,9 +18,9 @@ std::shared_ptr<const Algorithm> named_algorithm(const std::string& config, cons
    return with_options(require_configuration(config).algorithm, settings);
 }
 
-DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm) {
+DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm, int threads) {
    try {
-      return algorithm.match_fast(pair.left, pair.right);
+      return algorithm.match_fast(pair.left, pair.right, threads);
    } catch (const std::invalid_argument& problem) {
       throw InputError("--config " + config + ": " + problem.what());
    }

@@ -94,19 +94,16 @@ nlohmann::json evaluation_json(const Evaluation& evaluation) {
                          {"milliseconds", known(method.milliseconds)},
                          {"masks", masks}});
    }
-   return {{"format", "stereo-hls evaluation 1"},
-           {"left", evaluation.left},
-           {"right", evaluation.right},
-           {"width_px", evaluation.width_px},
-           {"height_px", evaluation.height_px},
-           {"border_px", evaluation.border_px},
-           {"methods", methods}};
+   return {{"format", "stereo-hls evaluation 1"}, {"left", evaluation.left},
+           {"right", evaluation.right},           {"width_px", evaluation.width_px},
+           {"height_px", evaluation.height_px},   {"border_px", evaluation.border_px},
+           {"threads", evaluation.threads},       {"methods", methods}};
 }
 
 std::string evaluation_text(const Evaluation& evaluation) {
    std::ostringstream out;
    out << std::fixed << size_text(evaluation.width_px, evaluation.height_px) << ", a border of " << evaluation.border_px
-       << " px does not count\n";
+       << " px does not count; threads: " << evaluation.threads << "\n";
    for (const EvaluatedMethod& method : evaluation.methods) {
       out << std::left << std::setw(int(name_width(evaluation)) + 2) << "  " + method.name << std::right << "reference "
           << word_of(method.reference);

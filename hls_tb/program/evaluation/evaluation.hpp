@@ -28,6 +28,7 @@ struct EvaluatedMethod {
 struct Evaluation {
    std::string left, right;  ///< paths of the images
    int width_px = 0, height_px = 0, border_px = 0;
+   int threads = 1;  ///< of every matcher that was timed
    std::vector<EvaluatedMethod> methods;
 };
 
