@@ -16,6 +16,7 @@ class Algorithm {
   public:
    virtual ~Algorithm() = default;
    virtual std::vector<OptionValue> options() const = 0;
+   virtual std::vector<OptionLimits> limits() const = 0;
    /// The same with one option changed; limits are only checked when it matches. Throws std::invalid_argument with what
    /// the value should have been, or with the names of all options.
    virtual std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const = 0;
@@ -58,6 +59,7 @@ class AlgorithmOf final : public Algorithm {
    explicit AlgorithmOf(const Matching& matching) : matching_(matching) {}
 
    std::vector<OptionValue> options() const override { return option_values(matching_); }
+   std::vector<OptionLimits> limits() const override { return option_limits(matching_); }
    std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const override {
       Matching changed = matching_;
       OptionSetter setter(option, value);

@@ -75,26 +75,8 @@ GroundTruth load(const Arguments& arguments) {
 /// range: the disparities that the method looks for; nothing where they are not known.
 void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<DisparityRange> range,
            const GroundTruth& truth) {
-   const std::optional<DisparityImage>& wanted = truth.of(method.reference);
-   if (!wanted) return;
-   const auto add = [&](const char* name, const GrayImage& mask) {
-      const Measures measures = measure(found, *wanted, mask);
-      if (measures.pixels > 0) method.masks.push_back({name, measures});
-   };
-   for (const NamedMask& mask : truth.masks(method.reference)) {
-      add(mask.name.c_str(), mask.mask);
-      if (range && mask.name == kNonOccluded) add(kSearchable, searchable_mask(mask.mask, *range, method.reference));
-   }
-}
-
-/// Families without a smallest disparity look from 0 on.
-DisparityRange range_of(const Algorithm& algorithm) {
-   DisparityRange range{0, 0};
-   for (const OptionValue& option : algorithm.options()) {
-      if (option.name == "disparities") range.count = std::get<int>(option.value);
-      if (option.name == "min_disparity") range.first = std::get<int>(option.value);
-   }
-   return range;
+   if (const std::optional<DisparityImage>& wanted = truth.of(method.reference))
+      method.masks = measure_masks(found, method.reference, range, *wanted, truth.masks(method.reference));
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "engines/clocked/core_modules.hpp"
-#include "engines/clocked/run_core.hpp"
+#include "engines/clocked/match_clocked.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/commands/pair_options.hpp"
@@ -64,15 +64,6 @@ TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, c
    require_size("--truth " + arguments.truth, truth);
    require_size("--visible " + arguments.visible, visible);
    return score_against_truth(map, geometry, truth, visible);
-}
-
-DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
-   const CoreModule& core = core_module(configuration.name);
-   const Stimulus stimulus = make_stimulus(configuration.name, core.shape, pair);
-   const std::vector<DisparityMap> frames = collect_frames(run_core(core, stimulus.clocks), core.shape);
-   if (frames.size() != 1)
-      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
-   return frames.front();
 }
 
 const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
@@ -133,7 +124,7 @@ void match(const Arguments& arguments) {
    double milliseconds = 0;
    const DisparityMap map = timed(milliseconds, [&] {
       return arguments.engine == Engine::fast ? algorithm.match_fast(pair.left, pair.right, arguments.threads)
-                                              : match_clocked(pair, configuration);
+                                              : match_clocked(core_module(configuration.name), pair);
    });
 
    Facts facts;
