@@ -43,6 +43,7 @@ Option = int | bool | str
 _MOST_THREADS = 1024
 _MOST_CLOCKS = 1_000_000
 
+CoreNotBuilt.__doc__ = """The clocked core of a configuration is not part of this installation."""
 _core.set_core_folder(Path(__file__).parent / "cores")
 
 
@@ -53,7 +54,7 @@ class DisparityMap:
     disparity: NDArray[np.float32]
     """[H, W]: pixels, at the size of the reference image; NaN outside the map and where a check failed."""
     steps: NDArray[np.uint16]
-    """[H, map's width]: as the hardware gives them, in pixels or sixteenths of a pixel, from the smallest disparity on."""
+    """[H, map's width]: as the hardware gives them, from the smallest disparity on, in pixels or sixteenths of one."""
     valid: NDArray[np.bool_]
     """[H, map's width]: the disparity has passed every check."""
     steps_per_px: int
@@ -91,8 +92,9 @@ def configurations() -> dict[str, dict[str, Any]]:
 
 
 def families() -> dict[str, dict[str, dict[str, Any]]]:
-    """The options of each family: {family: {option: {"default", "low", "high", "meaning"}}}, or {"default", "words"} of a
-    choice or flag. A limit is None where there is none; limits that follow from other options are those of the defaults.
+    """The options of each family: {family: {option: {"default", "low", "high", "meaning"}}}, or {"default", "words"} of
+    a choice or flag. A limit is None where there is none; limits that follow from other options are those of the
+    defaults.
     """
     table: dict[str, dict[str, dict[str, Any]]] = json.loads(_core.families())
     return table
@@ -142,7 +144,8 @@ def evaluate(
     search: tuple[int, int] | None = None,
     border_px: int = 10,
 ) -> dict[str, dict[str, Any]]:
-    """How good a map is, by the rules of `stereo_hls evaluate`: {mask: {measure: value}}. Masks without pixels are absent.
+    """How good a map is, by the rules of `stereo_hls evaluate`: {mask: {measure: value}}. Masks without pixels are
+    absent.
 
     disparity: what `match` found, or pixels as float [H, W]; where a value is not finite, nothing was found.
     truth: the true disparities of the reference image in pixels, float [H, W]; not finite where unknown.
@@ -152,9 +155,9 @@ def evaluate(
     search: the smallest disparity and the number of them; needed for "searchable" where `disparity` is an array.
     border_px: pixels at each side of the images that do not count, 0 ... 10000.
 
-    Measures: "pixels"; "density" 0 ... 1; "avg_px", "rms_px"; "bad_0_5", "bad_1", "bad_2", "bad_4", "d1": shares 0 ... 1 of
-    pixels off by more than 0.5, 1, 2, 4 pixels and by KITTI's rule, each as {"invalid_bad", "valid_only"}. None where
-    no pixel counts.
+    Measures: "pixels"; "density" 0 ... 1; "avg_px", "rms_px"; "bad_0_5", "bad_1", "bad_2", "bad_4", "d1": shares
+    0 ... 1 of pixels off by more than 0.5, 1, 2, 4 pixels and by KITTI's rule, each as {"invalid_bad", "valid_only"}.
+    None where no pixel counts.
 
     Raises ValueError or TypeError with one sentence.
     """
@@ -178,7 +181,8 @@ def evaluate(
 def scene(width: int = 640, height: int = 480, disparities: int = 100, seed: int = 1, noise: int = 2) -> Scene:
     """A generated pair, the same on every machine.
 
-    width, height: pixels; disparities: 2 ... 256, below the width, the scene's stay below it; noise: grey levels, 0 ... 64.
+    width, height: pixels; disparities: 2 ... 256, below the width, the scene's stay below it; noise: 0 ... 64 grey
+    levels.
 
     Raises ValueError with one sentence.
     """
