@@ -11,7 +11,7 @@ from flow.base.tools import ROOT, find_stereo_hls, run
 PROJECT = """\
 cmake_minimum_required(VERSION 3.25)
 project(consumer LANGUAGES CXX)
-find_package(stereo_hls 0.1.0 REQUIRED)
+find_package(stereo_hls REQUIRED)
 add_executable(consumer main.cpp)
 target_link_libraries(consumer PRIVATE stereo_hls::cores)
 """

@@ -90,6 +90,16 @@ def test_match_gives_the_same_with_any_number_of_threads(tmp_path, match):
     assert maps[0] == maps[1] == maps[2]
 
 
+def test_match_takes_the_cores_that_it_may_use(tmp_path, match):
+    allowed = os.sched_getaffinity(0)
+    try:
+        os.sched_setaffinity(0, {min(allowed)})  # the program inherits it
+        succeed(*match)
+    finally:
+        os.sched_setaffinity(0, allowed)
+    assert match_facts(tmp_path)["threads"] == 1
+
+
 @pytest.mark.parametrize("threads", ["0", "-1", "1025", "two", ""])
 def test_threads_are_a_small_number(tmp_path, match, threads):
     fail(tmp_path, *match, "--threads", threads, says=["--threads"])
