@@ -7,6 +7,7 @@
 #include "support/memory_bank.hpp"
 #include "support/minimum_tree.hpp"
 #include "support/move_delay.hpp"
+#include "support/move_fan.hpp"
 
 namespace stereo::semi_global {
 
@@ -49,6 +50,7 @@ struct PathAbove {
    State stay[kCount];
    bool comes[kMoves + 2];  ///< [j]: the column of j+1 moves ago is one of the map
    uint16_t column[kMoves + 2];
+   MoveFan<kCount, 0> writes;  ///< this clock is a move of a column of the map: what is written changes
    Word write_words[Pack::kWords];
    uint16_t write_column;
 
@@ -75,6 +77,7 @@ struct PathAbove {
       visit("stay", stay);
       visit("comes", comes);
       visit("column", column);
+      visit("writes", writes);
       visit("write_words", write_words);
       visit("write_column", write_column);
    }
@@ -104,6 +107,7 @@ struct PathAbove {
          ready_words[w] = select<Word>(moves.lane(w * Pack::kPerWord), read_words[w], ready_words[w]);
          read_words[w] = stored[w];
       }
+      writes.clock(entry.next_tag.valid && select<bool>(move, comes[kMoves], comes[kMoves + 1]));
       HLS_UNROLL
       for (int j = kMoves + 1; j > 0; --j) comes[j] = select<bool>(move, comes[j - 1], comes[j]);
       comes[0] = select<bool>(move, entry.tag.map_column, comes[0]);
@@ -123,10 +127,10 @@ struct PathAbove {
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) lanes[d] = State(select<Passed>(step[d] < stay[d], step[d], stay[d]));
       Pack::pack(lanes, packed);
-      const bool writes = moves.lane(0) && comes[kMoves + 1];
       HLS_UNROLL
-      for (int w = 0; w < Pack::kWords; ++w) write_words[w] = select<Word>(writes, packed[w], write_words[w]);
-      write_column = select<uint16_t>(writes, column[kMoves + 1], write_column);
+      for (int w = 0; w < Pack::kWords; ++w)
+         write_words[w] = select<Word>(writes.lane(w * Pack::kPerWord), packed[w], write_words[w]);
+      write_column = select<uint16_t>(writes.lane(0), column[kMoves + 1], write_column);
       HLS_UNROLL
       for (int d = 0; d < kCount; ++d) {
          step[d] = select<Passed>(moves.lane(d), Passed(beside[d] + C.p1), step[d]);

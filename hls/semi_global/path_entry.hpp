@@ -29,6 +29,7 @@ struct PathEntry {
    MoveFan<C.disparities, decltype(moves_costs)::kEnd> moves_left;
    MoveFan<C.disparities, decltype(moves_left)::kEnd> moves_above;
    MoveFan<C.disparities, decltype(moves_above)::kEnd> moves_right;
+   MoveFan<C.disparities, decltype(moves_right)::kEnd> moves_turn;
    uint16_t column;
    bool top;
    uint16_t place;   ///< order.address
@@ -49,6 +50,7 @@ struct PathEntry {
       visit("moves_left", moves_left);
       visit("moves_above", moves_above);
       visit("moves_right", moves_right);
+      visit("moves_turn", moves_turn);
       visit("column", column);
       visit("top", top);
       visit("place", place);
@@ -64,6 +66,7 @@ struct PathEntry {
       moves_left.clock(next_tag.valid);
       moves_above.clock(next_tag.valid);
       moves_right.clock(next_tag.valid);
+      moves_turn.clock(next_tag.valid);
       column = next_column;
       top = next_top;
       place = order.address;

@@ -5,6 +5,7 @@
 #include "semi_global/forward_paths.hpp"
 #include "semi_global/path_entry.hpp"
 #include "support/memory_bank.hpp"
+#include "support/move_fan.hpp"
 #include "support/packed.hpp"
 
 namespace stereo::semi_global {
@@ -44,6 +45,7 @@ struct RowTurn {
    // what is written
    bool comes[kWriteMoves];  ///< [j]: the column of j+1 moves ago is one of the map
    uint16_t place[kWriteMoves];
+   MoveFan<kCount, 0> writes;  ///< this clock is a move of a column of the map: what is written changes
    typename Sums::Word write_sums[Sums::kWords];
    typename Costs::Word write_costs[Costs::kWords];
    PathCost<C> write_smallest[1];
@@ -68,6 +70,7 @@ struct RowTurn {
       visit("ready_first", ready_first);
       visit("comes", comes);
       visit("place", place);
+      visit("writes", writes);
       if constexpr (kHasSums) visit("write_sums", write_sums);
       visit("write_costs", write_costs);
       visit("write_smallest", write_smallest);
@@ -76,6 +79,7 @@ struct RowTurn {
 
    HLS_INLINE void clock(const PathEntry<C>& entry, const Forward& forward) {
       const bool move = entry.tag.valid;
+      const auto& moves = entry.moves_turn;
       typename Sums::Word sums[Sums::kWords];
       typename Costs::Word costs[Costs::kWords];
       PathCost<C> smallest[1];
@@ -85,24 +89,25 @@ struct RowTurn {
       if constexpr (kHasSums) sum_memory.write(write_place, write_sums);
       cost_memory.write(write_place, write_costs);
       smallest_memory.write(write_place, write_smallest);
-      keep(move, forward);
+      keep(forward);
 
       if constexpr (kHasSums) {
          HLS_UNROLL
          for (int w = 0; w < Sums::kWords; ++w) {
-            ready_sums[w] = select<typename Sums::Word>(move, read_sums[w], ready_sums[w]);
+            ready_sums[w] = select<typename Sums::Word>(moves.lane(w * Sums::kPerWord), read_sums[w], ready_sums[w]);
             read_sums[w] = sums[w];
          }
       }
       HLS_UNROLL
       for (int w = 0; w < Costs::kWords; ++w) {
-         ready_costs[w] = select<typename Costs::Word>(move, read_costs[w], ready_costs[w]);
+         ready_costs[w] = select<typename Costs::Word>(moves.lane(w * Costs::kPerWord), read_costs[w], ready_costs[w]);
          read_costs[w] = costs[w];
       }
       ready_smallest[0] = select<PathCost<C>>(move, read_smallest[0], ready_smallest[0]);
       read_smallest[0] = smallest[0];
       ready_first = select<bool>(move, entry.turned.first_column, ready_first);
 
+      writes.clock(entry.next_tag.valid && select<bool>(move, comes[kWriteMoves - 2], comes[kWriteMoves - 1]));
       HLS_UNROLL
       for (int j = kWriteMoves - 1; j > 0; --j) {
          comes[j] = select<bool>(move, comes[j - 1], comes[j]);
@@ -113,8 +118,7 @@ struct RowTurn {
    }
 
   private:
-   HLS_INLINE void keep(bool move, const Forward& forward) {
-      const bool writes = move && comes[kWriteMoves - 1];
+   HLS_INLINE void keep(const Forward& forward) {
       if constexpr (kHasSums) {
          typename Sums::Lane lanes[kCount];
          HLS_UNROLL
@@ -123,16 +127,16 @@ struct RowTurn {
          Sums::pack(lanes, words);
          HLS_UNROLL
          for (int w = 0; w < Sums::kWords; ++w)
-            write_sums[w] = select<typename Sums::Word>(writes, words[w], write_sums[w]);
+            write_sums[w] = select<typename Sums::Word>(writes.lane(w * Sums::kPerWord), words[w], write_sums[w]);
       }
       typename Costs::Word words[Costs::kWords];
       Costs::pack(forward.cost[Forward::kCostMoves - 1], words);
       HLS_UNROLL
       for (int w = 0; w < Costs::kWords; ++w)
-         write_costs[w] = select<typename Costs::Word>(writes, words[w], write_costs[w]);
-      write_smallest[0] =
-          select<PathCost<C>>(writes, forward.smallest_cost[kWriteMoves - Forward::kLevels - 1], write_smallest[0]);
-      write_place = select<uint16_t>(writes, place[kWriteMoves - 1], write_place);
+         write_costs[w] = select<typename Costs::Word>(writes.lane(w * Costs::kPerWord), words[w], write_costs[w]);
+      write_smallest[0] = select<PathCost<C>>(writes.lane(0), forward.smallest_cost[kWriteMoves - Forward::kLevels - 1],
+                                              write_smallest[0]);
+      write_place = select<uint16_t>(writes.lane(0), place[kWriteMoves - 1], write_place);
    }
 };
 

@@ -25,6 +25,8 @@ void check(const SceneOptions& options) {
            "a scene must have 1 ... 16384 rows and at most 16384 columns");
    require(options.noise >= 0 && options.noise <= 64,
            "a scene's noise is " + std::to_string(options.noise) + " but must be 0 ... 64");
+   require(options.frame >= 0 && options.frame <= 65535,
+           "a scene's frame is " + std::to_string(options.frame) + " but must be 0 ... 65535");
 }
 
 /// The surface in front at a pixel of the right or the left image, and where it is hit.
@@ -64,8 +66,8 @@ uint8_t grey(const Hit& hit, double y, int noise, Random& random) {
 Scene make_scene(const SceneOptions& options) {
    check(options);
    const std::vector<Surface> surfaces =
-       arrange_surfaces(options.width, options.height, options.disparities, options.seed);
-   Random noise(options.seed + 1);
+       arrange_surfaces(options.width, options.height, options.disparities, options.seed, options.frame);
+   Random noise(options.seed + 1 + (uint64_t(options.frame) << 48));
    const GrayImage blank(options.width, options.height);
    Scene scene{{blank, blank}, blank, blank, blank, blank};
    for (int y = 0; y < options.height; ++y) {

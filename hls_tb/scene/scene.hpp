@@ -11,7 +11,12 @@ struct SceneOptions {
    int disparities = 100;  ///< 2 ... 256; the scene's disparities stay below it
    uint64_t seed = 1;
    int noise = 2;  ///< sensor noise: largest deviation in grey levels, 0 ... 64
+   /// Of a moving scene, 0 ... 65535: boxes and balls drift, come near and go away. Each kNewObjectFrames frames
+   /// another object stands anywhere in the range, and the last such one is gone.
+   int frame = 0;
 };
+
+inline constexpr int kNewObjectFrames = 5;
 
 /// A rectified pair with its ground truth, seen from the right camera: left(x + disparity) shows what right(x) shows.
 struct Scene {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "scene/random.hpp"
+#include "scene/scene.hpp"
 
 namespace stereo {
 namespace {
@@ -42,17 +43,56 @@ double tiles(double x, double depth, double size) {
    return std::clamp(value, -1.0, 1.0);
 }
 
-Surface standing(Shape shape, double x, double size, double aspect, double disparity, const Surface& floor) {
-   Surface object;
-   object.shape = shape;
-   object.disparity = std::round(disparity);
-   object.half_width = size;
-   object.half_height = size * aspect;
-   object.centre_x = x;
-   const double ground = floor.centre_y + (object.disparity - floor.disparity) / floor.slope_y;
-   object.centre_y = ground - object.half_height;
-   return object;
+/// Runs up and down between 0 and 1.
+double swing(double value) {
+   const double place = value - 2 * std::floor(value / 2);
+   return place > 1 ? 2 - place : place;
 }
+
+/// Changes in a frame, of what lies between 0 and 1.
+struct Motion {
+   double drift = 0;     ///< of the place in a row
+   double approach = 0;  ///< of the place in the range of disparities
+
+   explicit Motion(Random random) : drift(random.between(-0.02, 0.02)), approach(random.between(-0.04, 0.04)) {}
+};
+
+/// 0 in frame 0, to the last bit.
+double shift(double start, double change, int frames) { return swing(start + change * frames) - swing(start); }
+
+/// Where boxes and balls stand.
+struct Ground {
+   const Surface& floor;
+   double seen, far, near;  ///< columns; disparities
+
+   double disparity_at(double depth) const { return far + depth * (near - far); }
+
+   Surface standing(Shape shape, double x, double size, double aspect, double disparity) const {
+      Surface object;
+      object.shape = shape;
+      object.disparity = std::round(disparity);
+      object.half_width = size;
+      object.half_height = size * aspect;
+      object.centre_x = x;
+      const double ground = floor.centre_y + (object.disparity - floor.disparity) / floor.slope_y;
+      object.centre_y = ground - object.half_height;
+      return object;
+   }
+
+   /// x, size and depth as they are when it starts to move. What comes near grows.
+   Surface moving(Shape shape, double x, double size, double aspect, double depth, Motion motion, int frames) const {
+      const double first_disparity = disparity_at(depth),
+                   disparity = disparity_at(depth + shift(depth, motion.approach, frames));
+      const Surface first = standing(shape, x, size, aspect, first_disparity);
+      const double growth = disparity / first_disparity;
+      Surface object =
+          standing(shape, x + seen * shift(x / seen, motion.drift, frames), size * growth, aspect, disparity);
+      object.growth = growth;
+      object.moved_x = object.centre_x - first.centre_x;
+      object.moved_y = object.centre_y - first.centre_y;
+      return object;
+   }
+};
 
 }  // namespace
 
@@ -84,10 +124,13 @@ double Surface::shade(double x, double y) const {
    } else {
       light *= 1 - 0.25 * v;
    }
-   return light + 0.5 * contrast * texture(x, y, seed);
+   const auto at_first = [this](double at, double centre, double moved) {
+      return at - moved + (at - centre) * (1 / growth - 1);
+   };
+   return light + 0.5 * contrast * texture(at_first(x, centre_x, moved_x), at_first(y, centre_y, moved_y), seed);
 }
 
-std::vector<Surface> arrange_surfaces(int width, int height, int disparities, uint64_t seed) {
+std::vector<Surface> arrange_surfaces(int width, int height, int disparities, uint64_t seed, int frame) {
    Random random(seed);
    const double far = std::max(1.0, std::round(0.12 * disparities)), near = 0.93 * (disparities - 1);
    const double seen = width - 0.8 * disparities;  // the columns that a disparity map shows, and a few more
@@ -127,6 +170,7 @@ std::vector<Surface> arrange_surfaces(int width, int height, int disparities, ui
    board.slope_x = (left_side ? -1 : 1) * std::min(0.4, 0.14 * (near - far) / board.half_width);
    add(board, 0.8, 0.6);
 
+   const Ground ground{floor, seen, far, near};
    constexpr int kObjects = 6;
    const double lane = seen / kObjects;
    const int first_lane = random.below(kObjects);
@@ -136,8 +180,18 @@ std::vector<Surface> arrange_surfaces(int width, int height, int disparities, ui
       const double size = std::min(width, 2 * height) * (0.04 + 0.075 * depth) * random.between(0.85, 1.15);
       const bool ball = (i + first_lane) % 2 == 0;
       const double aspect = ball ? 1 : random.between(1.0, 1.7);
-      add(standing(ball ? Shape::disc : Shape::box, x, size, aspect, far + depth * (near - far), floor),
+      const Motion motion(Random(mix_bits(seed) + uint64_t(i)));
+      add(ground.moving(ball ? Shape::disc : Shape::box, x, size, aspect, depth, motion, frame),
           random.between(0.35, 0.9), random.between(0.45, 0.7));
+   }
+   if (frame >= kNewObjectFrames) {
+      const uint64_t number = uint64_t(frame / kNewObjectFrames), its_seed = mix_bits(mix_bits(seed) - number);
+      Random its(its_seed);
+      const Shape shape = its.percent(50) ? Shape::disc : Shape::box;
+      const double x = seen * its.between(0.15, 0.85), depth = its.between(0.1, 1);
+      const double size = std::min(width, 2 * height) * its.between(0.06, 0.12);
+      add(ground.moving(shape, x, size, 1, depth, Motion(its), frame % kNewObjectFrames), 0.6, 0.6);
+      scene.back().seed = its_seed;
    }
    return scene;
 }

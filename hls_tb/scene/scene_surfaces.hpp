@@ -19,6 +19,9 @@ struct Surface {
    double brightness = 0.5;                 ///< 0 ... 1
    double contrast = 0.5;                   ///< of the texture, 0 ... 1
    uint64_t seed = 0;
+   // What has moved carries its texture along.
+   double moved_x = 0, moved_y = 0;  ///< of the centre, since frame 0
+   double growth = 1;                ///< size beside that in frame 0
 
    bool contains(double x, double y) const;
    double disparity_at(double x, double y) const {
@@ -32,7 +35,8 @@ struct Surface {
    double shade(double x, double y) const;
 };
 
-/// All surfaces of a scene. `disparities` bounds them: every disparity is above 0 and, rounded, below `disparities`.
-std::vector<Surface> arrange_surfaces(int width, int height, int disparities, uint64_t seed);
+/// All surfaces of a frame, see SceneOptions::frame. `disparities` bounds them: every disparity is above 0 and,
+/// rounded, below `disparities`.
+std::vector<Surface> arrange_surfaces(int width, int height, int disparities, uint64_t seed, int frame = 0);
 
 }  // namespace stereo

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "definition/block_matching/models.hpp"
+#include "scene/scene_surfaces.hpp"
 #include "testing/seed.hpp"
 
 namespace stereo::test {
@@ -100,6 +101,53 @@ TEST(Scene, IsWhatAMatcherFindsFromTheLeft) {
    EXPECT_GT(100 * invalid_hidden, 60 * hidden) << "the left/right check finds hidden pixels";
 }
 
+TEST(Scene, MovesAndStaysInItsRange) {
+   SceneOptions options{.width = 320, .height = 240, .disparities = 64, .seed = test_seed()};
+   GrayImage last = make_scene(options).disparity;
+   for (options.frame = 1; options.frame < 60; options.frame += options.frame < 12 ? 1 : 7) {
+      const Scene scene = make_scene(options);
+      for (const uint8_t disparity : scene.disparity.pixels) ASSERT_LT(disparity, options.disparities);
+      EXPECT_NE(scene.disparity, last) << "frame " << options.frame;
+      last = scene.disparity;
+   }
+}
+
+TEST(Scene, CarriesItsTextureAlong) {
+   Surface object;
+   object.shape = Shape::box;
+   object.centre_x = 50, object.centre_y = 40, object.half_width = object.half_height = 10;
+   Surface later = object;
+   later.centre_x += later.moved_x = 7.25;
+   later.centre_y += later.moved_y = -3;
+   later.growth = 2;
+   later.half_width = later.half_height = 20;
+   for (int i = 0; i < 20; ++i) {
+      const double dx = 0.8 * i - 8, dy = 3 - 0.4 * i;
+      ASSERT_NEAR(object.shade(50 + dx, 40 + dy), later.shade(57.25 + 2 * dx, 37 + 2 * dy), 1e-9);
+   }
+}
+
+TEST(Scene, GetsAnotherObjectNowAndThen) {
+   SceneOptions options{.width = 320, .height = 240, .disparities = 64, .seed = test_seed(), .noise = 0};
+   const auto changed = [&](int frame) {
+      options.frame = frame;
+      const GrayImage before = make_scene(options).disparity;
+      options.frame = frame + 1;
+      const GrayImage after = make_scene(options).disparity;
+      int pixels = 0;
+      for (std::size_t i = 0; i < before.pixels.size(); ++i)
+         pixels += std::abs(before.pixels[i] - after.pixels[i]) > 4 ? 1 : 0;
+      return pixels;
+   };
+   // What drifts changes the map at its edges. A new object changes all pixels that it covers, if it is not hidden.
+   int most = 0, usual = 0;
+   for (int n = 1; n <= 4; ++n) {
+      most = std::max(most, changed(n * kNewObjectFrames - 1));
+      usual = std::max(usual, changed(n * kNewObjectFrames + 1));
+   }
+   EXPECT_GT(most, usual);
+}
+
 TEST(Scene, FollowsFromItsOptions) {
    const SceneOptions options{.width = 80, .height = 60, .disparities = 16, .seed = 5};
    EXPECT_EQ(make_scene(options).images.left, make_scene(options).images.left);
@@ -114,6 +162,8 @@ TEST(Scene, RejectsOptionsOutOfRange) {
    EXPECT_THROW(make_scene({.disparities = 1}), std::invalid_argument);
    EXPECT_THROW(make_scene({.disparities = 257}), std::invalid_argument);
    EXPECT_THROW(make_scene({.noise = -1}), std::invalid_argument);
+   EXPECT_THROW(make_scene({.frame = -1}), std::invalid_argument);
+   EXPECT_THROW(make_scene({.frame = 65536}), std::invalid_argument);
 }
 
 }  // namespace

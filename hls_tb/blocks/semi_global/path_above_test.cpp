@@ -46,6 +46,7 @@ void expect_path(int bubbles_percent) {
       next = random.percent(bubbles_percent) ? -1 : sent++;
       const int x = next % kStride;
       entry.next_column = next >= 0 && x < kWidth ? uint16_t(x) : uint16_t(random.below(kWidth));
+      entry.next_tag.valid = next >= 0;
       entry.tag.valid = now >= 0;
       entry.moves_above.clock(now >= 0);
       const int frame = now / (kRows * kStride), y = now / kStride % kRows, at = now % kStride;

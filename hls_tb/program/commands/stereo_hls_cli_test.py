@@ -88,6 +88,22 @@ def test_scene_is_determined_by_its_seed(tmp_path):
     assert scene("c", 2)["left.png"] != first["left.png"]
 
 
+def test_moving_scene_begins_with_the_pair_and_can_be_watched(tmp_path):
+    size = ["--seed", 4, "--width", 120, "--height", 60, "--disparities", 16]
+    succeed("scene", "--out", tmp_path / "pair", *size)
+    moving = tmp_path / "moving"
+    assert "7 frames" in succeed("scene", "--out", moving, *size, "--frames", 7)
+    kinds = sorted(path.stem for path in (tmp_path / "pair").iterdir())
+    assert sorted(path.name for path in moving.iterdir()) == kinds
+    for kind in kinds:
+        frames = sorted((moving / kind).iterdir())
+        assert [path.name for path in frames] == [f"{number:05}.png" for number in range(7)]
+        assert frames[0].read_bytes() == (tmp_path / "pair" / f"{kind}.png").read_bytes()
+    assert len({path.read_bytes() for path in (moving / "disparity_right").iterdir()}) == 7
+    words = ["--left", moving / "left", "--right", moving / "right", "--config", "tiny", "--set", "disparities=16"]
+    assert "7 frames" in succeed("video", *words, "--out", tmp_path / "maps")
+
+
 def test_scene_fits_a_configuration(tmp_path):
     succeed("scene", "--out", tmp_path / "s", "--seed", 3, "--config", "tiny")
     pair = ["--left", tmp_path / "s" / "left.png", "--right", tmp_path / "s" / "right.png"]
@@ -275,6 +291,8 @@ def test_a_failure_leaves_no_folder_behind(tmp_path, match):
         (["scene", "--out", "o", "--seed", "-1"], "--seed"),
         (["scene", "--out", "o", "--seed", "1", "--config", "tiny", "--width", "9"], "--width"),
         (["scene", "--out", "o", "--seed", "1", "--width", "9"], "disparity range"),
+        (["scene", "--out", "o", "--seed", "1", "--width", "9", "--frames", "2"], "disparity range"),
+        (["scene", "--out", "o", "--seed", "1", "--frames", "0"], "--frames"),
         (["frobnicate"], "frobnicate: there is no such command"),
         (["--frobnicate"], "--frobnicate: there is no such command"),
     ],

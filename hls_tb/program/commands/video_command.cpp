@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "program/commands/video_command.hpp"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <opencv2/imgproc.hpp>
 
 #include "program/commands/checks.hpp"
+#include "program/commands/frame_progress.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
@@ -54,34 +52,6 @@ cv::Mat beside(const cv::Mat& reference, const DisparityMap& map, const MapGeome
    return page;
 }
 
-/// Says how far it has come: on a terminal always in one line, else a line now and then.
-class Progress {
-  public:
-   void frame_done() {
-      ++frames_;
-      const double now = seconds(), wait = terminal_ ? 0.2 : 5;
-      if (now - said_ < wait) return;
-      said_ = now;
-      std::cout << (terminal_ ? "\r" : "") << frames_ << " frames, " << std::fixed << std::setprecision(1)
-                << frames_ / now << " frames a second" << (terminal_ ? "   " : "\n") << std::flush;
-   }
-   int frames() const { return frames_; }
-   void summary(double matching_seconds, cv::Size size) const {
-      std::cout << (terminal_ && said_ > 0 ? "\r" : "") << frames_ << " frames of " << size_text(size) << ": "
-                << std::fixed << std::setprecision(1) << frames_ / matching_seconds
-                << " frames a second in the matching alone, " << frames_ / seconds() << " overall\n";
-   }
-
-  private:
-   using Clock = std::chrono::steady_clock;
-   double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-   Clock::time_point start_ = Clock::now();
-   bool terminal_ = isatty(STDOUT_FILENO) == 1;
-   double said_ = 0;
-   int frames_ = 0;
-};
-
 void video(const Arguments& arguments) {
    const auto algorithm = named_algorithm(arguments.config, arguments.settings);
    PairSource source = open_pair(arguments);
@@ -90,7 +60,7 @@ void video(const Arguments& arguments) {
                                                               : own_rate > 0 ? own_rate
                                                                              : kUsualRate;
    std::unique_ptr<FrameSink> sink;
-   Progress progress;
+   FrameProgress progress;
    double matching_seconds = 0;
    cv::Size size;
    for (FramePair frames = source.next(); !frames.empty(); frames = source.next()) {
@@ -106,7 +76,9 @@ void video(const Arguments& arguments) {
       sink->add(page);
       progress.frame_done();
    }
-   progress.summary(matching_seconds, size);
+   std::cout << progress.line_start() << progress.frames() << " frames of " << size_text(size) << ": " << std::fixed
+             << std::setprecision(1) << progress.frames() / matching_seconds
+             << " frames a second in the matching alone, " << progress.frames() / progress.seconds() << " overall\n";
    sink->commit();
 }
 
