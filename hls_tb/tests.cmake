@@ -75,10 +75,13 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/dynamic_range/reference_model_test.cpp
+  definition/dynamic_range/search_windows_test.cpp
   definition/phase_correlation/reference_model_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
+  engines/fast/dynamic_range/fast_model_test.cpp
   engines/fast/phase_correlation/fast_model_test.cpp
   engines/fast/semi_global/fast_model_test.cpp
   engines/fast/trellis/fast_model_test.cpp
