@@ -10,13 +10,12 @@ namespace stereo::dynamic_range {
 /// The codes of which two pixels are compared: their cost is the number of bits in which these differ.
 enum class Codes : uint8_t { phase, census };
 
-/// What matching in a search window that follows the scene computes: docs/algorithm.md defines each option. Models take
-/// it with images whose width and height are multiples of 8.
+/// What matching in a search window that follows the scene computes: docs/algorithm.md defines each option. The
+/// reference is the right image. Models take it with images whose width and height are multiples of 8.
 struct Matching {
    int disparities = 128;  ///< total range T: 0 <= disparity < T, 32 ... 256, a multiple of 4, below the image width
    int window_disparities = 16;  ///< D, of each of the two search windows, 16 ... 64, a multiple of 8, at most T - 8
    int window_px = 9;            ///< side B of the square matching window, 3 ... 31, odd
-   Reference reference = Reference::right;
    Codes codes = Codes::phase;
    int phase_scales = 2;      ///< S, 1 ... 3: scales whose phases are compared
    int census_width_px = 5;   ///< 3 ... 9, odd
@@ -62,7 +61,6 @@ struct Matching {
       visit("disparities", self.disparities, 32, 256, "the disparity range");
       visit("window_disparities", self.window_disparities, 16, 64, "the number of disparities of a search window");
       visit("window_px", self.window_px, 3, 31, "the window side");
-      visit("reference", self.reference);
       visit("codes", self.codes);
       visit("phase_scales", self.phase_scales, 1, 3, "the number of phase scales");
       visit("census_width_px", self.census_width_px, 3, 9, "the census window's width");

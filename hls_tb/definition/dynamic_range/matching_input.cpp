@@ -21,8 +21,8 @@ void check_matching_input(const GrayImage& left, const GrayImage& right, const M
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {
-   return {.reference = matching.reference,
-           .first_column = matching.reference == Reference::left ? matching.window_disparities : 0,
+   return {.reference = Reference::right,
+           .first_column = 0,
            .width = image_width - matching.window_disparities,
            .disparities = matching.disparities,
            .min_disparity = 0,

@@ -5,7 +5,6 @@
 
 #include "definition/dynamic_range/matching_input.hpp"
 #include "definition/dynamic_range/search_windows.hpp"
-#include "definition/mirror.hpp"
 #include "definition/phase_correlation/reference_model.hpp"
 
 namespace stereo::dynamic_range {
@@ -54,11 +53,6 @@ int code_cost(uint64_t a, uint64_t b, const Matching& matching) {
 
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
    check_matching_input(left, right, matching);
-   if (matching.reference == Reference::left) {
-      Matching of_mirror = matching;
-      of_mirror.reference = Reference::right;
-      return mirrored(match_reference(mirrored(right), mirrored(left), of_mirror));
-   }
    const Targets targets = search_targets(block_ranges(coarse_map(left, right, matching)), matching);
    const CensusImage l = codes_of(left, matching), r = codes_of(right, matching);
    const Track low = follow(l, r, targets.low, matching), high = follow(l, r, targets.high, matching);

@@ -13,7 +13,7 @@ CensusImage codes_of(const GrayImage& image, const Matching& matching);
 /// The cost of two codes.
 int code_cost(uint64_t a, uint64_t b, const Matching& matching);
 
-/// All of it, for either reference. Throws std::invalid_argument as check_matching_input does.
+/// All of it. Throws std::invalid_argument as check_matching_input does.
 DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching);
 
 }  // namespace stereo::dynamic_range

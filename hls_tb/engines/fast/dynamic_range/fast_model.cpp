@@ -8,7 +8,6 @@
 #include "definition/block_matching/models.hpp"
 #include "definition/dynamic_range/matching_input.hpp"
 #include "definition/dynamic_range/search_windows.hpp"
-#include "definition/mirror.hpp"
 #include "definition/phase_correlation/models.hpp"
 #include "definition/stages.hpp"
 #include "engines/fast/phase_correlation/phase_codes.hpp"
@@ -99,8 +98,10 @@ int in_sixteenths(std::span<const int> sums, int lane) {
    return (256 * lane + offset + 15) >> 4;
 }
 
-/// The right image as reference.
-DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+}  // namespace
+
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
    const Targets targets = search_targets(block_ranges(fast_coarse_map(left, right, matching)), matching);
    const std::vector<uint64_t> l = weighted_codes(left, matching), r = weighted_codes(right, matching);
    Track low(l, r, left.width, left.height, targets.low, matching);
@@ -121,14 +122,6 @@ DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Ma
       }
    }
    return map;
-}
-
-}  // namespace
-
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   check_matching_input(left, right, matching);
-   return matching.reference == Reference::right ? match_right(left, right, matching)
-                                                 : mirrored(match_right(mirrored(right), mirrored(left), matching));
 }
 
 }  // namespace stereo::dynamic_range

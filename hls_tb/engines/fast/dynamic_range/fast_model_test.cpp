@@ -24,7 +24,6 @@ Matching random_options(Random& random) {
    m.window_disparities = 8 * (2 + random.below(4));
    m.disparities = std::max(32, m.window_disparities + 8 + 4 * random.below(16));
    m.window_px = 3 + 2 * random.below(8);
-   m.reference = random.percent(50) ? Reference::right : Reference::left;
    m.codes = random.percent(50) ? Codes::phase : Codes::census;
    m.phase_scales = 1 + random.below(3);
    m.census_width_px = 3 + 2 * random.below(4);
