@@ -41,7 +41,7 @@ struct CoarsePixels {
    bool total_ends, total_is_last, total_starts;
    uint16_t total_column;
    // clock 5
-   uint16_t repetitions;
+   uint16_t repetition;  ///< of a row's last pixel: kRepetitions behind the last one
    StereoInput out;
 
    template <class Source, int First>
@@ -78,7 +78,7 @@ struct CoarsePixels {
       visit("total_is_last", total_is_last);
       visit("total_starts", total_starts);
       visit("total_column", total_column);
-      visit("repetitions", repetitions);
+      visit("repetition", repetition, kRepetitions);
       visit("out_left", out.left[0]);
       visit("out_right", out.right[0]);
       visit("out_start", out.start_of_frame);
@@ -107,9 +107,9 @@ struct CoarsePixels {
   private:
    HLS_INLINE void emit() {
       const bool comes = total_ends & total_is_last;
-      const bool repeats = repetitions != 0;
-      const uint16_t last_column_left = select<uint16_t>(repeats, uint16_t(repetitions - 1), 0);
-      repetitions = select<uint16_t>(comes & (total_column == kColumns - 1), kRepetitions, last_column_left);
+      const bool repeats = repetition != kRepetitions;
+      const uint16_t next = select<uint16_t>(repeats, uint16_t(repetition + 1), repetition);
+      repetition = select<uint16_t>(comes & (total_column == kColumns - 1), 0, next);
       out.valid = comes | repeats;
       out.start_of_frame = comes & total_starts & (total_column == 0);
       out.left[0] = select<uint8_t>(comes, mean(total), out.left[0]);

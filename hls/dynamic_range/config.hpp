@@ -22,6 +22,9 @@ struct Structure {
 
 /// One hardware configuration of the core with a dynamic range. The named ones are in configurations.hpp.
 struct Config : Image, Matching, Structure {
+   /// Of the smallest image that the core takes: a coarse row needs 7 rows around it.
+   static constexpr int kLeastPixels = 40 * 32;
+
    // The images in which the whole range is searched. Beside the last column stands as much more as the search needs.
    constexpr int coarse_columns() const { return width_px / kCoarse; }
    constexpr int coarse_rows() const { return height_px / kCoarse; }

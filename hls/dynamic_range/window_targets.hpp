@@ -46,7 +46,7 @@ struct WindowTargets {
    Word newest[1];
    uint16_t read_column;
    bool comes;
-   uint16_t pause;   ///< clocks until the walk begins, 0: it has begun
+   uint16_t pause;   ///< clocks since the last block of a row has come, up to kPause
    uint16_t walked;  ///< blocks, kWalk: it has ended
    uint16_t walk_band;
    bool last_row;  ///< the newest row is the last one
@@ -81,7 +81,7 @@ struct WindowTargets {
       visit("newest", newest);
       visit("read_column", read_column);
       visit("comes", comes);
-      visit("pause", pause);
+      visit("pause", pause, kPause);
       visit("walked", walked, kWalk);
       visit("walk_band", walk_band);
       visit("last_row", last_row);
@@ -135,7 +135,7 @@ struct WindowTargets {
       const bool is_last = blocks.block_row == kRows - 1;
       // Behind the first row no band is complete, unless it is the last one too.
       const bool begins = row_ends & (is_last | (blocks.block_row != 0));
-      const bool walks = (pause == 0) & (walked != kWalk);
+      const bool walks = (pause == kPause) & (walked != kWalk);
       const bool ends = walks & (walked == kWalk - 1);
       const bool repeats = ends & last_row & !again;
 
@@ -151,10 +151,10 @@ struct WindowTargets {
 
       const bool single = kRows == 1;
       const uint16_t next_walked = select<uint16_t>(walks, uint16_t(walked + 1), walked);
-      const uint16_t next_pause = select<uint16_t>(pause != 0, uint16_t(pause - 1), 0);
+      const uint16_t next_pause = select<uint16_t>(pause != kPause, uint16_t(pause + 1), pause);
       const uint16_t band_above = select<uint16_t>(single, blocks.block_row, uint16_t(blocks.block_row - 1));
       walked = select<uint16_t>(begins | repeats, 0, next_walked);
-      pause = select<uint16_t>(begins, kPause, next_pause);
+      pause = select<uint16_t>(begins, 0, next_pause);
       walk_band = select<uint16_t>(begins, band_above, select<uint16_t>(repeats, uint16_t(walk_band + 1), walk_band));
       again = select<bool>(begins, single, again | repeats);
       last_row = select<bool>(begins, is_last, last_row);
@@ -204,9 +204,10 @@ struct WindowTargets {
       const uint16_t low_before = select<uint16_t>(is_first, 0, low);
       const uint16_t high_before = select<uint16_t>(is_first, kHighStart, high);
       const uint16_t low_reach = uint16_t(low_before + kLowStep);
-      const uint16_t high_reach = select<uint16_t>(high_before >= kHighStep, uint16_t(high_before - kHighStep), 0);
       const uint16_t low_limited = select<uint16_t>(!is_first & (low_reach < low_wish), low_reach, low_wish);
-      const uint16_t high_limited = select<uint16_t>(!is_first & (high_reach > high_wish), high_reach, high_wish);
+      const bool falls_far = high_wish + kHighStep < high_before;
+      const uint16_t high_limited =
+          select<uint16_t>(!is_first & falls_far, uint16_t(high_before - kHighStep), high_wish);
       const bool writes = wish_walk.valid & (wish_walk.column != kColumns - 1);
       low = select<uint16_t>(writes, select<uint16_t>(known, low_limited, low_before), low);
       high = select<uint16_t>(writes, select<uint16_t>(known, high_limited, high_before), high);
