@@ -12,7 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import rtl
 from flow.base.errors import ArgumentParser, FlowError, run_command
 from flow.base.tools import find_ghdl
-from flow.implementation import job, yosys
+from flow.implementation import job, nextpnr, yosys
 from flow.implementation.targets import FAMILIES, TARGETS
 
 DEFAULT_SEEDS = [1, 2, 3]
@@ -42,7 +42,11 @@ def jobs(options: Namespace) -> list[job.Job]:
     made = []
     for name in names:
         vhdl = options.rtl or rtl.folder(name)
-        made.append(job.Job(name, vhdl, options.out / name if options.out else vhdl, targets, seeds, options.shell))
+        made.append(
+            job.Job(
+                name, vhdl, options.out / name if options.out else vhdl, targets, seeds, options.shell, options.router
+            )
+        )
     return made
 
 
@@ -66,6 +70,12 @@ def main() -> int:
     )
     parser.add_argument(
         "--seeds", type=int, nargs="+", default=DEFAULT_SEEDS, metavar="N", help="of place and route (default 1 2 3)"
+    )
+    parser.add_argument(
+        "--router",
+        choices=nextpnr.ROUTERS,
+        default=nextpnr.ROUTERS[0],
+        help="of nextpnr (default router1; router2 ends where that one circles, with longer clocks)",
     )
     parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
     parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")

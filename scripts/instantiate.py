@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the VHDL that puts a core between AXI4-Streams, stereo_ip_NAME, or an instance of it to be pasted."""
+"""Writes the VHDL that puts a core between AXI4-Streams, stereo_ip_NAME, or an instance of it to be pasted, or a folder
+with all that a vendor's tool wants of it."""
 
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
-from flow.base.errors import EXIT_OK, ArgumentParser, run_command
+from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import megahertz
+from flow.kit import constraints, contents, write
 from flow.shell import template
 from flow.synthesis import manifest
 
@@ -15,9 +18,19 @@ from flow.synthesis import manifest
 def main() -> int:
     parser = ArgumentParser(prog="instantiate.py", description=__doc__)
     parser.add_argument("--config", required=True, help="named configuration of generated_rtl/")
-    parser.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
-    parser.add_argument("--out", type=Path, help="file to write (default: standard output)")
+    what = parser.add_mutually_exclusive_group()
+    what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
+    what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
+    parser.add_argument("--mhz", type=megahertz, help="clock in the constraints of a kit (default 100)")
+    parser.add_argument("--out", type=Path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()
+    if options.kit:
+        if options.out is None:
+            raise FlowError("--kit needs --out FOLDER")
+        write.write(options.kit, options.config, options.out, options.mhz or constraints.DEFAULT_MHZ)
+        return EXIT_OK
+    if options.mhz:
+        raise FlowError("--mhz is for --kit")
     entry = manifest.read(rtl.folder(options.config))
     make = template.user_instance if options.instance else template.entity
     text = make(options.config, entry)

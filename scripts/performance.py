@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes docs/performance.md and its plot from the committed manifests and implementation results, and prints the
-evaluations a second per LUT of each routed configuration. Runs no tool."""
+"""Writes docs/performance.md, its plot and the camera's table of docs/integration.md from the committed manifests and
+implementation results, and prints the evaluations a second per LUT of each routed configuration. Runs no tool."""
 
 import sys
 from pathlib import Path
@@ -9,8 +9,9 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import megahertz
 from flow.implementation.results import Configuration
-from flow.pages import clock_logic, performance
+from flow.pages import camera, clock_logic, performance
 
 
 def main() -> int:
@@ -18,20 +19,30 @@ def main() -> int:
     chosen = parser.add_mutually_exclusive_group()
     chosen.add_argument("--check", action="store_true", help="only say whether the page is up to date")
     chosen.add_argument("--config", metavar="NAME", help="only print the recorded numbers of one configuration")
+    parser.add_argument("--mhz", type=megahertz, help="with --config: what it does at a camera's clock")
     options = parser.parse_args()
     if options.config:
-        return show(options.config)
+        return show(options.config, options.mhz)
+    if options.mhz:
+        raise FlowError("--mhz needs --config")
     routed = performance.routed_configurations()
-    texts = {performance.PAGE: performance.page(), clock_logic.PICTURE: clock_logic.picture(clock_logic.points(routed))}
+    texts = {
+        performance.PAGE: performance.page(),
+        clock_logic.PICTURE: clock_logic.picture(clock_logic.points(routed)),
+        camera.PAGE: camera.page(),
+    }
     code = files.update(texts, options.check, "scripts/performance.py")
     if not options.check:
         print(performance.one_number_table(routed))
     return code
 
 
-def show(name: str) -> int:
+def show(name: str, mhz: float | None) -> int:
     if name not in rtl.known_configurations():
         raise FlowError(f"unknown configuration '{name}'; known are: {', '.join(rtl.known_configurations())}")
+    if mhz:
+        print(camera.camera_table([Configuration(name, stale_is_none=True)], mhz))
+        return EXIT_OK
     configuration = Configuration(name)
     tables = [performance.per_clock_table, performance.speed_table, performance.shell_table, performance.area_table]
     for make in tables:

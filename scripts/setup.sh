@@ -14,6 +14,7 @@ packages=(
    python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
    python3-pytest python3-hypothesis chromium                # its tests; pages as a browser shows them
+   gcc tcl                                                   # driver and scripts of the kits
 )
 
 case "${1:-}" in

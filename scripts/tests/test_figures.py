@@ -32,6 +32,8 @@ def test_speed_follows_from_the_clock():
 
 def test_one_seed_is_no_median():
     assert [figures.counted(seeds) for seeds in (1, 2, 3)] == ["one seed", "median of 2", "median of 3"]
+    assert figures.counted(1, "router1") == "one seed"
+    assert figures.counted(3, "router2") == "median of 3, router2"
 
 
 # (pixels a clock, groups to the first output, least rows wanted, result) of an image of 32x12

@@ -9,7 +9,8 @@ import pytest
 from flow.base import rtl
 from flow.base.errors import FlowError
 from flow.implementation import record as implementation
-from flow.pages import clock_logic, performance
+from flow.implementation.results import Configuration
+from flow.pages import camera, clock_logic, performance
 from flow.shell import design
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -140,3 +141,27 @@ def test_bad_options():
 )
 def test_dev_loop_refuses(options, words):
     refused(call("dev_loop.py", *options), 2, *words)
+
+
+def test_a_camera_clock(folders):
+    """tiny: 32x12 pairs, 384 clocks a frame; 40 pairs, 16 clocks of the core and 5 of the shell before a disparity."""
+    shown = row(camera.camera_table([Configuration("tiny")], 0.1), "`tiny`")
+    numbers = [cell.strip() for cell in shown.split("|")[3:9]]
+    assert numbers == ["260.4", "3.840", "1.9", "0.610", "0.530", "32"]
+
+
+def test_command_prints_what_a_camera_clock_gives():
+    process = call("performance.py", "--config", "tiny", "--mhz", "27")
+    assert process.returncode == 0 and "70,312.5" in row(process.stdout, "`tiny`"), process.stderr
+
+
+def test_refuses_a_clock_without_configuration():
+    refused(call("performance.py", "--mhz", "27"), 2, "--mhz needs --config")
+    refused(call("performance.py", "--config", "tiny", "--mhz", "-1"), 2, "'-1' is no number from 0.1 to 2000")
+
+
+def test_a_page_without_its_marks_is_refused(tmp_path, monkeypatch):
+    monkeypatch.setattr(camera, "PAGE", tmp_path / "integration.md")
+    camera.PAGE.write_text("no marks\n")
+    with pytest.raises(FlowError, match="integration.md has no place for what belongs between"):
+        camera.page()

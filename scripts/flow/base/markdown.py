@@ -2,6 +2,9 @@
 """Pieces of the pages that commands write."""
 
 from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from .errors import FlowError
 
 UNKNOWN = "-"
 
@@ -17,3 +20,12 @@ def number(value: float | None, digits: int = 0) -> str:
 
 def code(command: str) -> str:
     return f"`{command}`"
+
+
+def replaced(page: Path, begin: str, end: str, inside: str) -> str:
+    """The text of a page with what stands between its two marks made anew."""
+    before, first, rest = page.read_text().partition(begin)
+    _, second, after = rest.partition(end)
+    if not first or not second:
+        raise FlowError(f"{page.name} has no place for what belongs between '{begin}' and '{end}'")
+    return f"{before}{begin}\n{inside}\n{end}{after}"

@@ -45,9 +45,10 @@ def speed(parameters: Parameters, fmax_mhz: float, luts: int) -> Speed:
     }
 
 
-def counted(seeds: int) -> str:
-    """What a clock of so many seeds is."""
-    return "one seed" if seeds == 1 else f"median of {seeds}"
+def counted(seeds: int, router: str | None = None) -> str:
+    """What a clock of so many seeds is. nextpnr's usual router is not named."""
+    of = "one seed" if seeds == 1 else f"median of {seeds}"
+    return of if router in (None, "router1") else f"{of}, {router}"
 
 
 def lut_count(area: Area) -> int:

@@ -31,6 +31,7 @@ class Job:
     targets: list[str]
     seeds: list[int]
     shell: bool = False  # stereo_ip_CONFIG instead of the core alone
+    router: str = nextpnr.ROUTERS[0]
 
     @property
     def entity(self) -> str:
@@ -81,7 +82,7 @@ def implement_target(
 ) -> tuple[record.Result, list[str]]:
     """Area and, where there is a router, clock on one target. `made`: the netlists of the families so far. Returns
     (result, memories that became flip-flops)."""
-    router = nextpnr.find_nextpnr(progress.console.print) if target.device else None
+    tool = nextpnr.find_nextpnr(progress.console.print) if target.device else None
     seeds = job.seeds if target.device else []
     task = progress.add_task("", total=2 + len(seeds))
 
@@ -94,16 +95,18 @@ def implement_target(
     netlist = made[family]
     tools = {"ghdl": ghdl.version(), "yosys": yosys.version()}
     result: record.Result = {**netlist.area, "synthesis": target.synthesis, "tools": tools}
-    if router is not None and target.device is not None:
+    if tool is not None and target.device is not None:
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
         for seed in seeds:
             stage(f"nextpnr, seed {seed}")
-            reports[seed] = nextpnr.route(router, target.device_options, seed, netlist.work / "netlist.json", work)
-        tools["nextpnr"] = nextpnr.version(router, work)
+            reports[seed] = nextpnr.route(
+                tool, target.device_options, seed, netlist.work / "netlist.json", work, job.router
+            )
+        tools["nextpnr"] = nextpnr.version(tool, work)
         routed = nextpnr.clocks(reports, netlist.names)
-        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, **routed}
+        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
     progress.update(task, description=f"{job.entity} {target.name}: done", completed=2 + len(seeds))
     return result, netlist.lost
 
@@ -141,9 +144,10 @@ def summary(entity: str, target: str, parameters: Parameters, result: record.Res
     if "fmax_mhz" in result:
         fmax, path = result["fmax_mhz"], result["critical_path"]
         seeds = ", ".join(f"{seed}: {mhz}" for seed, mhz in fmax["by_seed"].items())
+        of = figures.counted(len(fmax["by_seed"]), result.get("router"))
         speed = figures.speed(parameters, fmax["median"], luts)
         text += [
-            f"  {fmax['median']} MHz routed ({figures.counted(len(fmax['by_seed']))}; by seed {seeds}) on "
+            f"  {fmax['median']} MHz routed ({of}; by seed {seeds}) on "
             f"{result['device']}, {result['lut_sites']} LUT sites",
             f"  slowest path: {path['from']} to {path['to']}, block {path['block']}",
             f"  {speed['frames_per_second']:.1f} frames a second, "

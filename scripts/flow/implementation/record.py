@@ -49,6 +49,7 @@ class Result(Area):
     tools: dict[str, str]  # their versions
     device: NotRequired[str]  # this and the rest only where it was placed and routed
     target_mhz: NotRequired[float]
+    router: NotRequired[str]  # of nextpnr; not in older results: its first one
     seeds: NotRequired[list[int]]
     fmax_mhz: NotRequired[Fmax]
     lut_sites: NotRequired[int]

@@ -15,7 +15,7 @@ class Clock(figures.Speed):
 
     median: float
     best: float
-    seeds: int
+    of: str  # how many seeds, and the router
     path: record.CriticalPath
 
 
@@ -61,7 +61,7 @@ class Configuration:
         return {
             "median": fmax["median"],
             "best": fmax["best"],
-            "seeds": len(fmax["by_seed"]),
+            "of": figures.counted(len(fmax["by_seed"]), routed.get("router")),
             "path": routed["critical_path"],
             **speed,
         }

@@ -76,7 +76,7 @@ def speed_table(configurations: Iterable[Configuration]) -> str:
             if clock:
                 values = [
                     number(clock["median"], 1),
-                    figures.counted(clock["seeds"]),
+                    clock["of"],
                     number(clock["best"], 1),
                     number(clock["frames_per_second"]),
                     number(clock["mde_per_second"]),
@@ -106,9 +106,9 @@ def shell_table(configurations: Iterable[Configuration]) -> str:
                     code(c.name),
                     TARGETS[target].short,
                     number(core["median"], 1),
-                    figures.counted(core["seeds"]),
+                    core["of"],
                     number(shell["median"], 1),
-                    figures.counted(shell["seeds"]),
+                    shell["of"],
                     f"{100 * shell['median'] / core['median']:.0f} %",
                     number(core["frames_per_second"]),
                     number(shell["frames_per_second"]),
@@ -139,7 +139,7 @@ def one_number_table(configurations: Iterable[Configuration]) -> str:
             [
                 code(c.name),
                 number(clock["median"], 1),
-                figures.counted(clock["seeds"]),
+                clock["of"],
                 number(luts),
                 number(area["lut_sites"]),
                 number(clock["evaluations_per_second_per_lut"]),
@@ -239,7 +239,7 @@ def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
                 number(area.get("lut_sites")) if area else UNKNOWN,
                 _aluts(c),
                 _routed_speed(c)[0],
-                figures.counted(clock["seeds"]) if clock else UNKNOWN,
+                clock["of"] if clock else UNKNOWN,
             ]
         )
     return head, rows

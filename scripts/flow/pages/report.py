@@ -218,7 +218,7 @@ def _target_rows(demo: Demo, target: str, result: Result) -> Rows:
     clock = demo.core.clock(target)
     if clock is None:
         return rows
-    mhz = f"{target}: MHz after place and route, {figures.counted(clock['seeds'])} (best)"
+    mhz = f"{target}: MHz after place and route, {clock['of']} (best)"
     paper_speed = published.PAPER_FRAMES_PER_SECOND * figures.evaluations_per_frame(published.PAPER) / 1e6
     return [
         *rows,

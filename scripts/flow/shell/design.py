@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import cast
 
 from ..base import rtl
+from ..base.errors import FlowError
 from ..base.tools import ROOT
 from ..synthesis import manifest
 
@@ -47,4 +48,8 @@ def library_files(configs: Iterable[str]) -> list[Path]:
 
 def generics(entry: manifest.Manifest) -> dict[str, int]:
     """What a user may state of a core, in the order of its entity."""
-    return {name: cast(dict[str, int], entry["parameters"])[name] for name in rtl.GENERICS}
+    values = cast(dict[str, int], entry["parameters"])
+    missing = [name for name in rtl.GENERICS if not isinstance(values.get(name), int)]
+    if missing:
+        raise FlowError(f"the manifest of '{entry['configuration']}' says no {', '.join(missing)}")
+    return {name: values[name] for name in rtl.GENERICS}

@@ -6,7 +6,7 @@ import json
 from pathlib import Path
 from typing import Any, NotRequired, TypedDict
 
-from ..base.errors import FlowError
+from ..base import markdown
 from ..base.tools import ROOT
 
 DESCRIPTION = ROOT / "hls" / "rtl" / "registers.json"
@@ -50,8 +50,13 @@ def address_bits() -> int:
     return max(register["offset"] for register in description()).bit_length()
 
 
-def vhdl_package() -> str:
+def version_value() -> int:
+    """What the register says."""
     major, minor, patch = VERSION
+    return major << 16 | minor << 8 | patch
+
+
+def vhdl_package() -> str:
     lines = [
         "-- SPDX-License-Identifier: Apache-2.0",
         "-- Addresses, in words of 4 bytes, and fields of the registers of stereo_ip: of a field of one bit its place, "
@@ -63,7 +68,7 @@ def vhdl_package() -> str:
         "package stereo_register_map is",
         f"  constant address_bits : positive := {address_bits()};  -- of addresses in bytes",
         f'  constant id_value : std_logic_vector(31 downto 0) := x"{ID:08x}";',
-        f'  constant version_value : std_logic_vector(31 downto 0) := x"{major:04x}{minor:02x}{patch:02x}";',
+        f'  constant version_value : std_logic_vector(31 downto 0) := x"{version_value():08x}";',
     ]
     for register in description():
         name = register["name"]
@@ -91,18 +96,9 @@ def table() -> str:
     return "\n".join(rows)
 
 
-def document_with_table(text: str) -> str:
-    """The page with the table between its two marks made anew."""
-    before, begin, rest = text.partition(TABLE_BEGIN)
-    _, end, after = rest.partition(TABLE_END)
-    if not begin or not end:
-        raise FlowError(f"{DOCUMENT.relative_to(ROOT)} has no place for the table of registers")
-    return f"{before}{begin}\n{table()}\n{end}{after}"
-
-
 def made_files() -> dict[Path, str]:
     """{path: text that belongs there}"""
     files = {PACKAGE: vhdl_package()}
     if DOCUMENT.is_file():
-        files[DOCUMENT] = document_with_table(DOCUMENT.read_text())
+        files[DOCUMENT] = markdown.replaced(DOCUMENT, TABLE_BEGIN, TABLE_END, table())
     return files

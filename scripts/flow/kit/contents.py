@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is in a kit: {file: text}, from manifest.json and the committed VHDL."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ..base.tools import ROOT
+from . import bench, constraints, fusesoc, ipxact, quartus, software, vivado
+from .fill import fill
+from .subject import Subject, wrapper, wrapper_file
+
+Files = dict[Path, str]
+ORDER = Path("compile_order.txt")
+TOOLS = {"vivado": "Vivado", "quartus": "Quartus", "fusesoc": "FuseSoC"}
+TRIED = {
+    "vivado": "Not tried in Vivado: package_ip.tcl ran in a Tcl interpreter with stand-ins for Vivado's commands.",
+    "quartus": "Not tried in Quartus: the component ran in a Tcl interpreter with stand-ins for "
+    "Platform Designer's commands. The VHDL needs conditional assignments of VHDL-2008 in processes.",
+    "fusesoc": "Tried in FuseSoC with GHDL: targets lint and sim.",
+}
+START = {
+    "vivado": "`vivado -mode batch -source package_ip.tcl` makes packaged/: add it to your project's IP repositories.",
+    "quartus": "Add this folder to the IP search path of Platform Designer ({top}_hw.tcl), or {top}.qip to a project.",
+    "fusesoc": "`fusesoc --cores-root . run --target sim {top}`; in your core file depend on `:stereo:{top}`.",
+}
+
+
+def of(kit: str, config: str, mhz: float) -> Files:
+    """All files of a kit for the tool `kit`."""
+    subject = Subject(config)
+    rtl = {Path("rtl") / path.name: path.read_text() for path in subject.sources}
+    rtl[wrapper_file(subject)] = wrapper(subject)
+    if kit == "quartus":
+        rtl = {path: quartus.DIRECTIVE + text for path, text in rtl.items()}
+    clock = Path("constraints") / ("clock.xdc" if kit == "vivado" else "clock.sdc")
+    bench_file = Path("sim") / f"{bench.name(subject)}.vhd"
+    sources = [path.as_posix() for path in rtl]
+    files = {
+        **rtl,
+        bench_file: bench.text(subject),
+        clock: constraints.text(subject, mhz),
+        Path("component.xml"): ipxact.component(subject, rtl, [clock]),
+        **{Path("software") / name: text for name, text in software.files(subject).items()},
+        Path("manifest.json"): subject.manifest_file.read_text(),
+        Path("LICENSE"): (ROOT / "LICENSE").read_text(),
+        ORDER: "\n".join(sources) + "\n",
+        Path("README.md"): _readme(kit, subject, bench_file),
+    }
+    return files | _SCRIPTS[kit](subject, sources, bench_file.as_posix())
+
+
+def _vivado(subject: Subject, sources: list[str], bench_file: str) -> Files:
+    return {Path("package_ip.tcl"): vivado.script(subject, sources)}
+
+
+def _quartus(subject: Subject, sources: list[str], bench_file: str) -> Files:
+    return {
+        Path(f"{subject.top}_hw.tcl"): quartus.component(subject, sources),
+        Path(f"{subject.top}.qip"): quartus.file_list(subject, sources),
+    }
+
+
+def _fusesoc(subject: Subject, sources: list[str], bench_file: str) -> Files:
+    return {Path(f"{subject.top}.core"): fusesoc.core(subject, sources, bench_file)}
+
+
+_SCRIPTS: dict[str, Callable[[Subject, list[str], str], Files]] = {
+    "vivado": _vivado,
+    "quartus": _quartus,
+    "fusesoc": _fusesoc,
+}
+
+
+def _readme(kit: str, subject: Subject, bench_file: Path) -> str:
+    return fill(
+        "README.md",
+        config=subject.config,
+        tool=TOOLS[kit],
+        kit=kit,
+        top=subject.top,
+        start=START[kit].format(top=subject.top),
+        tried=TRIED[kit],
+        order=ORDER.name,
+        bench=bench_file.as_posix(),
+        bench_top=bench.name(subject),
+    )
