@@ -21,6 +21,7 @@ struct PhaseTransform {
    static constexpr int kLagGroups = C.transform_groups() * C.width_px + C.transform_columns();
    static constexpr int kMemories = 2 * Rows::kMemories;
 
+   /// What travels beside the rows, while they become columns.
    struct Start {
       bool start_of_frame;  ///< the centre is the first of a frame
       bool valid;
@@ -129,8 +130,8 @@ struct PhaseTransform {
    static constexpr int kLagRows = C.transform_groups();
    static constexpr int kLagColumns = C.transform_columns();
 
-   // Three clocks find out which filters lie in the image. Two comparisons of one number in one clock would become a
-   // subtraction, of which the tool drops the sign.
+   // Three clocks find out which filters lie in the image. Of two bounds of one number in one clock the front end may
+   // make a subtraction modulo 2^32, which the lowering refuses.
 
    /// The columns after the centre may be the first ones of the next row: then the centre stands in the row before.
    /// centre_group counts from 1, so that it is never below 0.

@@ -11,6 +11,7 @@ from flow_commands import call, refused
 
 PAIR = quality.default_pair()
 BLOCK_MATCHER, OTHER_REFERENCE = quality.OURS[0][0], quality.OURS[1][0]
+PHASE = next(title for title, config, _ in quality.OURS if config == "parts_320")
 SEMI_GLOBAL = next(title for title, config, _ in quality.OURS if config == "sgm_450")
 
 
@@ -81,6 +82,18 @@ def test_the_verdict_can_be_no(two):
     two[4][1]["masks"]["non_occluded"]["bad_1"]["invalid_bad"] = 0.16
     assert "parameters: fewer bad pixels: 19.00 % against 20.00 %" in quality.verdict(two)
     assert "StereoSGBM: not fewer bad pixels: 16.00 % against 15.00 %" in quality.verdict(two)
+
+
+def test_where_phase_correlation_wins_is_counted(two):
+    def with_phase(bad):
+        entry = (PHASE, copy.deepcopy(two[1][1]))
+        entry[1]["masks"]["non_occluded"]["bad_1"]["invalid_bad"] = bad
+        return [*two, entry]
+
+    # Block matching has 0.3, OpenCV 0.15, semi-global 0.12.
+    assert "pixels in 1, fewer than the\nbest block matching in 2, fewer than semi-global matching in 1." in (
+        quality.phase_wins([with_phase(0.05), with_phase(0.2), with_phase(0.4)])
+    )
 
 
 def test_tables_take_means_and_know_what_is_unknown(two):

@@ -173,6 +173,23 @@ def winners_table(cameras: list[Measured]) -> str:
     return table(["cameras", "fewest of all", "best phase correlation", "best block matching", "semi-global"], rows)
 
 
+def phase_wins(cameras: list[Measured]) -> str:
+    """With how many of CAMERAS phase correlation has fewer bad pixels than others."""
+    phase = [bad_1(best_of_family(results, "phase_correlation")[1]) for results in cameras]
+
+    def wins(others: list[float]) -> int:
+        return sum(ours < theirs for ours, theirs in zip(phase, others))
+
+    own = {title for title, config, _ in OURS if _FAMILY.get(config) == "phase_correlation"}
+    fewest = wins([min(bad_1(method) for title, method in results if title not in own) for results in cameras])
+    matching = wins([bad_1(best_of_family(results, "block_matching")[1]) for results in cameras])
+    smooth = wins([bad_1(best_of_family(results, "semi_global")[1]) for results in cameras])
+    return (
+        f"Of these {len(cameras)} rows, phase correlation has the fewest bad pixels in {fewest}, fewer than the\n"
+        f"best block matching in {matching}, fewer than semi-global matching in {smooth}."
+    )
+
+
 def _mean(values: list[float | None]) -> float | None:
     """None where a value is not known."""
     known = [value for value in values if value is not None]
@@ -283,6 +300,7 @@ def page(pair: Path) -> str:
             verdict=verdict(results),
             cameras=cameras_table([cameras]),
             winners=winners_table(cameras),
+            phase_wins=phase_wins(cameras),
             scenes=scenes_text(),
         )
     )

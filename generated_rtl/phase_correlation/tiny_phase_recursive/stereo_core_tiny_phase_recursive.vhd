@@ -1,0 +1,2614 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, phase correlation, configuration tiny_phase_recursive: 40x18, 12 disparities, window 7x7, phase of 2 scales, 1 pixel pair a clock.
+-- Options: disparities 12, window_px 7, subpixel true, aggregation recursive, slice_disparities 6.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_phase_recursive
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_phase_recursive is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 40;
+    height_px : positive := 18;
+    disparities : positive := 12;
+    pixels_per_clock : positive := 1;
+    disparity_bits : positive := 16;
+    output_width_px : positive := 28;
+    latency_clocks : positive := 43;
+    flush_groups : positive := 286;
+    gap_groups : positive := 160
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(7 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(7 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(0 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 40 report "stereo_core_tiny_phase_recursive: width_px is " & integer'image(width_px) & " but this core has 40" severity failure;
+  assert height_px = 18 report "stereo_core_tiny_phase_recursive: height_px is " & integer'image(height_px) & " but this core has 18" severity failure;
+  assert disparities = 12 report "stereo_core_tiny_phase_recursive: disparities is " & integer'image(disparities) & " but this core has 12" severity failure;
+  assert pixels_per_clock = 1 report "stereo_core_tiny_phase_recursive: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 1" severity failure;
+  assert disparity_bits = 16 report "stereo_core_tiny_phase_recursive: disparity_bits is " & integer'image(disparity_bits) & " but this core has 16" severity failure;
+  assert output_width_px = 28 report "stereo_core_tiny_phase_recursive: output_width_px is " & integer'image(output_width_px) & " but this core has 28" severity failure;
+  assert latency_clocks = 43 report "stereo_core_tiny_phase_recursive: latency_clocks is " & integer'image(latency_clocks) & " but this core has 43" severity failure;
+  assert flush_groups = 286 report "stereo_core_tiny_phase_recursive: flush_groups is " & integer'image(flush_groups) & " but this core has 286" severity failure;
+  assert gap_groups = 160 report "stereo_core_tiny_phase_recursive: gap_groups is " & integer'image(gap_groups) & " but this core has 160" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_phase_recursive is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
+  signal in_right_pixel : natural range 0 to 255;
+  signal in_left_pixel : natural range 0 to 255;
+  -- transform
+  signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_left_rows_write_words_2, transform_right_rows_read_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_ready_words_2, transform_right_rows_ready_newest_0 : natural range 0 to 255;
+  signal transform_right_rows_write_words_2, transform_left_column_0, transform_left_column_1 : natural range 0 to 255;
+  signal transform_left_column_2, transform_left_column_3, transform_left_column_4 : natural range 0 to 255;
+  signal transform_left_column_5, transform_left_column_6, transform_left_column_7 : natural range 0 to 255;
+  signal transform_left_column_8, transform_left_column_9, transform_right_column_0 : natural range 0 to 255;
+  signal transform_right_column_1, transform_right_column_2, transform_right_column_3 : natural range 0 to 255;
+  signal transform_right_column_4, transform_right_column_5, transform_right_column_6 : natural range 0 to 255;
+  signal transform_right_column_7, transform_right_column_8, transform_right_column_9 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_0_0, transform_left_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_2_0, transform_left_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_left_code_column_box_0_4_0, transform_left_code_column_centre : natural range 0 to 255;
+  signal transform_right_code_column_box_0_0_0, transform_right_code_column_box_0_1_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_2_0, transform_right_code_column_box_0_3_0 : natural range 0 to 255;
+  signal transform_right_code_column_box_0_4_0, transform_right_code_column_centre : natural range 0 to 255;
+  signal transform_valid, transform_counter_next_frame, transform_from_first_0, transform_from_first_1 : boolean;
+  signal transform_up_to_last_0, transform_up_to_last_1, transform_columns_inside_0 : boolean;
+  signal transform_columns_inside_1, transform_columns_start_of_frame, transform_columns_valid : boolean;
+  signal transform_filtering_0_inside_0, transform_filtering_0_inside_1, transform_filtering_0_start_of_frame : boolean;
+  signal transform_filtering_0_valid, transform_filtering_1_inside_0, transform_filtering_1_inside_1 : boolean;
+  signal transform_filtering_1_start_of_frame, transform_filtering_1_valid, transform_filtering_2_inside_0 : boolean;
+  signal transform_filtering_2_inside_1, transform_filtering_2_start_of_frame, transform_filtering_2_valid : boolean;
+  signal transform_filtering_3_inside_0, transform_filtering_3_inside_1, transform_filtering_3_start_of_frame : boolean;
+  signal transform_filtering_3_valid, transform_filtering_4_inside_0, transform_filtering_4_inside_1 : boolean;
+  signal transform_filtering_4_start_of_frame, transform_filtering_4_valid, transform_filtering_5_inside_0 : boolean;
+  signal transform_filtering_5_inside_1, transform_filtering_5_start_of_frame, transform_filtering_5_valid : boolean;
+  signal transform_filtering_6_inside_0, transform_filtering_6_inside_1, transform_filtering_6_start_of_frame : boolean;
+  signal transform_filtering_6_valid, transform_filtering_7_start_of_frame, transform_filtering_7_valid : boolean;
+  signal transform_counter_column, transform_read_column, transform_ready_column : natural range 0 to 63;
+  signal transform_write_column, transform_centre_column, transform_left_code_row_signs : natural range 0 to 63;
+  signal transform_left_code_earlier_0, transform_left_code_earlier_1, transform_left_code_bits : natural range 0 to 63;
+  signal transform_left_code_next_row_signs, transform_left_code_next_bits : natural range 0 to 63;
+  signal transform_right_code_row_signs, transform_right_code_earlier_0 : natural range 0 to 63;
+  signal transform_right_code_earlier_1, transform_right_code_bits : natural range 0 to 63;
+  signal transform_right_code_next_row_signs, transform_right_code_next_bits : natural range 0 to 63;
+  signal transform_counter_group : natural range 0 to 31;
+  signal transform_left_rows_read_words_0, transform_left_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_ready_words_0, transform_left_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_write_words_0, transform_left_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0, transform_right_rows_read_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_ready_words_0, transform_right_rows_ready_words_1 : unsigned(31 downto 0);
+  signal transform_right_rows_write_words_0, transform_right_rows_write_words_1 : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_2, transform_right_rows_read_words_2 : unsigned(7 downto 0);
+  signal transform_centre_group : natural range 0 to 32;
+  signal transform_left_code_column_near, transform_left_code_column_outer : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_0_0, transform_left_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_2_0, transform_left_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_left_code_next_column_box_0_4_0, transform_left_code_next_column_centre : natural range 0 to 510;
+  signal transform_right_code_column_near, transform_right_code_column_outer : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_0_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_1_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_2_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_3_0 : natural range 0 to 510;
+  signal transform_right_code_next_column_box_0_4_0, transform_right_code_next_column_centre : natural range 0 to 510;
+  signal transform_left_code_column_upper, transform_left_code_column_lower : natural range 0 to 765;
+  signal transform_right_code_column_upper, transform_right_code_column_lower : natural range 0 to 765;
+  signal transform_left_code_column_response_0, transform_left_code_column_response_1 : natural range 0 to 1021;
+  signal transform_left_code_row_box_0_0, transform_left_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_0, transform_left_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_0_2, transform_left_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_0, transform_left_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_left_code_row_column_1_2, transform_left_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_left_code_row_centre_0, transform_left_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_right_code_column_response_0, transform_right_code_column_response_1 : natural range 0 to 1021;
+  signal transform_right_code_row_box_0_0, transform_right_code_row_box_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_0, transform_right_code_row_column_0_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_0_2, transform_right_code_row_column_0_3 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_0, transform_right_code_row_column_1_1 : natural range 0 to 1021;
+  signal transform_right_code_row_column_1_2, transform_right_code_row_column_1_3 : natural range 0 to 1021;
+  signal transform_right_code_row_centre_0, transform_right_code_row_centre_1 : natural range 0 to 1021;
+  signal transform_left_code_column_response_2, transform_left_code_row_box_0_2 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_0, transform_left_code_row_column_2_1 : natural range 0 to 1530;
+  signal transform_left_code_row_column_2_2, transform_left_code_row_column_2_3 : natural range 0 to 1530;
+  signal transform_left_code_row_centre_2, transform_right_code_column_response_2 : natural range 0 to 1530;
+  signal transform_right_code_row_box_0_2, transform_right_code_row_column_2_0 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_1, transform_right_code_row_column_2_2 : natural range 0 to 1530;
+  signal transform_right_code_row_column_2_3, transform_right_code_row_centre_2 : natural range 0 to 1530;
+  signal transform_left_code_row_outer_1, transform_right_code_row_outer_1 : natural range 0 to 2042;
+  signal transform_left_code_row_outer_2, transform_right_code_row_outer_2 : natural range 0 to 3060;
+  signal transform_left_code_row_before_0, transform_left_code_row_before_1 : natural range 0 to 3063;
+  signal transform_left_code_row_after_0, transform_left_code_row_after_1 : natural range 0 to 3063;
+  signal transform_right_code_row_before_0, transform_right_code_row_before_1 : natural range 0 to 3063;
+  signal transform_right_code_row_after_0, transform_right_code_row_after_1 : natural range 0 to 3063;
+  signal transform_left_code_row_before_2, transform_left_code_row_after_2 : natural range 0 to 4591;
+  signal transform_right_code_row_before_2, transform_right_code_row_after_2 : natural range 0 to 4591;
+  signal transform_left_code_row_even_1, transform_left_code_row_even_2 : natural range 0 to 16383;
+  signal transform_left_code_row_odd_1, transform_left_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_right_code_row_even_1, transform_right_code_row_even_2 : natural range 0 to 16383;
+  signal transform_right_code_row_odd_1, transform_right_code_row_odd_2 : natural range 0 to 16383;
+  signal transform_left_code_next_column_near, transform_left_code_next_column_outer : natural range 0 to 1020;
+  signal transform_right_code_next_column_near, transform_right_code_next_column_outer : natural range 0 to 1020;
+  signal transform_left_code_next_column_upper, transform_left_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_earlier_0_2_0, transform_left_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_0, transform_left_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_2, transform_left_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_4, transform_left_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_left_code_next_row_column_2_6, transform_left_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_left_code_next_row_outer_2, transform_left_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_left_code_next_row_after_2, transform_left_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_left_code_next_row_even_2, transform_left_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_left_code_next_row_odd_1, transform_left_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_right_code_next_column_upper, transform_right_code_next_column_response_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_earlier_0_2_0, transform_right_code_next_row_box_0_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_0, transform_right_code_next_row_column_2_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_2, transform_right_code_next_row_column_2_3 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_4, transform_right_code_next_row_column_2_5 : natural range 0 to 65535;
+  signal transform_right_code_next_row_column_2_6, transform_right_code_next_row_column_2_7 : natural range 0 to 65535;
+  signal transform_right_code_next_row_outer_2, transform_right_code_next_row_before_2 : natural range 0 to 65535;
+  signal transform_right_code_next_row_after_2, transform_right_code_next_row_even_1 : natural range 0 to 65535;
+  signal transform_right_code_next_row_even_2, transform_right_code_next_row_odd_0 : natural range 0 to 65535;
+  signal transform_right_code_next_row_odd_1, transform_right_code_next_row_odd_2 : natural range 0 to 65535;
+  signal transform_left_code_next_column_lower, transform_right_code_next_column_lower : natural range 0 to 1531;
+  signal transform_left_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_left_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_0 : natural range 0 to 2041;
+  signal transform_right_code_next_column_response_1 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_0_0 : natural range 0 to 2041;
+  signal transform_right_code_next_row_earlier_0_1_0 : natural range 0 to 2041;
+  signal transform_left_code_next_row_box_0_0, transform_left_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_0, transform_left_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_2, transform_left_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_4, transform_left_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_0_6, transform_left_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_0, transform_left_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_2, transform_left_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_4, transform_left_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_left_code_next_row_column_1_6, transform_left_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_0, transform_left_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_box_0_0, transform_right_code_next_row_box_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_0, transform_right_code_next_row_column_0_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_2, transform_right_code_next_row_column_0_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_4, transform_right_code_next_row_column_0_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_0_6, transform_right_code_next_row_column_0_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_0, transform_right_code_next_row_column_1_1 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_2, transform_right_code_next_row_column_1_3 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_4, transform_right_code_next_row_column_1_5 : natural range 0 to 4082;
+  signal transform_right_code_next_row_column_1_6, transform_right_code_next_row_column_1_7 : natural range 0 to 4082;
+  signal transform_right_code_next_row_centre_0, transform_right_code_next_row_centre_1 : natural range 0 to 4082;
+  signal transform_left_code_next_row_centre_2, transform_right_code_next_row_centre_2 : natural range 0 to 32767;
+  signal transform_left_code_next_row_outer_0, transform_left_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_right_code_next_row_outer_0, transform_right_code_next_row_outer_1 : natural range 0 to 8164;
+  signal transform_left_code_next_row_before_0, transform_left_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_left_code_next_row_after_0, transform_left_code_next_row_after_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_before_0, transform_right_code_next_row_before_1 : natural range 0 to 12247;
+  signal transform_right_code_next_row_after_0, transform_right_code_next_row_after_1 : natural range 0 to 12247;
+  -- raster
+  signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 4095;
+  signal raster_features_valid : boolean;
+  signal raster_place_column : natural range 0 to 63;
+  signal raster_place_group : natural range 0 to 31;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 15;
+  signal delay_ahead_0 : natural range 0 to 4095;
+  signal delay_delayed_0 : unsigned(11 downto 0);
+  signal delay_column : natural range 0 to 63;
+  signal delay_row_inside_0, delay_row_inside_1, delay_tag_valid, delay_tag_row_start, delay_tag_first_group : boolean;
+  signal delay_tag_border_column, delay_tag_first_cost, delay_tag_leaves_window, delay_tag_output_column : boolean;
+  signal delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_read_words_1 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2, rows_reference_rows_read_words_0 : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1, rows_reference_rows_read_words_2 : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_3, rows_reference_rows_read_words_3 : unsigned(11 downto 0);
+  signal rows_search_rows_read_newest_0, rows_search_rows_ready_words_3 : natural range 0 to 4095;
+  signal rows_search_rows_ready_newest_0, rows_search_rows_write_words_3 : natural range 0 to 4095;
+  signal rows_reference_rows_read_newest_0, rows_reference_rows_ready_words_3 : natural range 0 to 4095;
+  signal rows_reference_rows_ready_newest_0, rows_reference_rows_write_words_3, rows_search_0 : natural range 0 to 4095;
+  signal rows_search_1, rows_reference_0, rows_reference_1 : natural range 0 to 4095;
+  signal rows_search_rows_ready_words_0, rows_search_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_search_rows_ready_words_2, rows_search_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_search_rows_write_words_1, rows_search_rows_write_words_2 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_ready_words_1 : natural range 0 to 16777215;
+  signal rows_reference_rows_ready_words_2, rows_reference_rows_write_words_0 : natural range 0 to 16777215;
+  signal rows_reference_rows_write_words_1, rows_reference_rows_write_words_2 : natural range 0 to 16777215;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 63;
+  signal rows_read_inside_0, rows_read_inside_1, rows_read_tag_valid, rows_read_tag_row_start : boolean;
+  signal rows_read_tag_first_group, rows_read_tag_border_column, rows_read_tag_first_cost : boolean;
+  signal rows_read_tag_leaves_window, rows_read_tag_output_column, rows_read_tag_start_of_frame : boolean;
+  signal rows_read_tag_end_of_line, rows_ready_inside_0, rows_ready_inside_1, rows_ready_tag_valid : boolean;
+  signal rows_ready_tag_row_start, rows_ready_tag_first_group, rows_ready_tag_border_column : boolean;
+  signal rows_ready_tag_first_cost, rows_ready_tag_leaves_window, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line, rows_tag_valid, rows_tag_row_start : boolean;
+  signal rows_tag_first_group, rows_tag_border_column, rows_tag_first_cost, rows_tag_leaves_window : boolean;
+  signal rows_tag_output_column, rows_tag_start_of_frame, rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 4095;
+  signal slice0shift_search_0_3, slice0shift_search_0_4, slice0shift_search_0_5 : natural range 0 to 4095;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 4095;
+  signal slice0shift_search_1_3, slice0shift_search_1_4, slice0shift_search_1_5 : natural range 0 to 4095;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_search_out_0 : natural range 0 to 4095;
+  signal slice0shift_search_out_1 : natural range 0 to 4095;
+  signal slice0shift_tag_valid, slice0shift_tag_row_start, slice0shift_tag_first_group : boolean;
+  signal slice0shift_tag_border_column, slice0shift_tag_first_cost, slice0shift_tag_leaves_window : boolean;
+  signal slice0shift_tag_output_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_pixels_first_0_0, slice0cost_pixels_first_0_1, slice0cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_0_3, slice0cost_pixels_first_0_4, slice0cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_0, slice0cost_pixels_first_1_1, slice0cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice0cost_pixels_first_1_3, slice0cost_pixels_first_1_4, slice0cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice0cost_pixels_first_tag_valid, slice0cost_pixels_first_tag_row_start : boolean;
+  signal slice0cost_pixels_first_tag_first_group, slice0cost_pixels_first_tag_border_column : boolean;
+  signal slice0cost_pixels_first_tag_first_cost, slice0cost_pixels_first_tag_leaves_window : boolean;
+  signal slice0cost_pixels_first_tag_output_column, slice0cost_pixels_first_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_first_tag_end_of_line, slice0cost_pixels_tag_valid : boolean;
+  signal slice0cost_pixels_tag_first_group, slice0cost_pixels_tag_border_column : boolean;
+  signal slice0cost_pixels_tag_first_cost, slice0cost_pixels_tag_leaves_window : boolean;
+  signal slice0cost_pixels_tag_output_column, slice0cost_pixels_tag_start_of_frame : boolean;
+  signal slice0cost_pixels_tag_end_of_line, slice0cost_ready_tag_valid, slice0cost_ready_tag_first_group : boolean;
+  signal slice0cost_ready_tag_border_column, slice0cost_ready_tag_first_cost : boolean;
+  signal slice0cost_ready_tag_leaves_window, slice0cost_ready_tag_output_column : boolean;
+  signal slice0cost_ready_tag_start_of_frame, slice0cost_ready_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_first_group, slice0cost_tag_border_column, slice0cost_tag_first_cost : boolean;
+  signal slice0cost_tag_leaves_window, slice0cost_tag_output_column, slice0cost_tag_start_of_frame : boolean;
+  signal slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pixels_cost_0_0, slice0cost_pixels_cost_0_1, slice0cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_0_3, slice0cost_pixels_cost_0_4, slice0cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_0, slice0cost_pixels_cost_1_1, slice0cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice0cost_pixels_cost_1_3, slice0cost_pixels_cost_1_4, slice0cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice0cost_read_column, slice0cost_change_column, slice0cost_ready_column : natural range 0 to 63;
+  signal slice0cost_write_column : natural range 0 to 63;
+  signal slice0cost_read_words_0 : unsigned(27 downto 0);
+  signal slice0cost_read_words_1 : unsigned(13 downto 0);
+  signal slice0cost_change_0_0, slice0cost_change_0_1, slice0cost_change_0_2 : integer range -19 to 19;
+  signal slice0cost_change_0_3, slice0cost_change_0_4, slice0cost_change_0_5 : integer range -19 to 19;
+  signal slice0cost_ready_words_0, slice0cost_write_words_0 : natural range 0 to 268435455;
+  signal slice0cost_ready_words_1, slice0cost_write_words_1 : natural range 0 to 16383;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 127;
+  signal slice0cost_column_0_3, slice0cost_column_0_4, slice0cost_column_0_5 : natural range 0 to 127;
+  -- slice0window
+  signal slice0window_ring_read_address, slice0window_ring_write_address : natural range 0 to 7;
+  signal slice0window_leaving_0 : unsigned(27 downto 0);
+  signal slice0window_leaving_1 : unsigned(13 downto 0);
+  signal slice0window_entering_0_0, slice0window_entering_0_1, slice0window_entering_0_2 : natural range 0 to 127;
+  signal slice0window_entering_0_3, slice0window_entering_0_4, slice0window_entering_0_5 : natural range 0 to 127;
+  signal slice0window_entering_tag_valid, slice0window_entering_tag_first_cost : boolean;
+  signal slice0window_entering_tag_leaves_window, slice0window_entering_tag_output_column : boolean;
+  signal slice0window_entering_tag_start_of_frame, slice0window_entering_tag_end_of_line : boolean;
+  signal slice0window_change_tag_valid, slice0window_change_tag_first_cost : boolean;
+  signal slice0window_change_tag_leaves_window, slice0window_change_tag_output_column : boolean;
+  signal slice0window_change_tag_start_of_frame, slice0window_change_tag_end_of_line : boolean;
+  signal slice0window_centre_output_column_0, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_start_of_frame_0, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_start_of_frame, slice0window_tag_end_of_line : boolean;
+  signal slice0window_change_0_0, slice0window_change_0_1, slice0window_change_0_2 : integer range -127 to 127;
+  signal slice0window_change_0_3, slice0window_change_0_4, slice0window_change_0_5 : integer range -127 to 127;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 1023;
+  signal slice0window_sum_0_3, slice0window_sum_0_4, slice0window_sum_0_5 : natural range 0 to 1023;
+  -- slice0winner1
+  signal slice0winner1_best_cost_0_0, slice0winner1_best_cost_0_1 : natural range 0 to 1023;
+  signal slice0winner1_best_cost_0_2, slice0winner1_best_below_0_0 : natural range 0 to 1023;
+  signal slice0winner1_best_below_0_1, slice0winner1_best_below_0_2 : natural range 0 to 1023;
+  signal slice0winner1_best_above_0_0, slice0winner1_best_above_0_1 : natural range 0 to 1023;
+  signal slice0winner1_best_above_0_2, slice0winner1_best_first_0_0 : natural range 0 to 1023;
+  signal slice0winner1_best_first_0_1, slice0winner1_best_first_0_2 : natural range 0 to 1023;
+  signal slice0winner1_best_last_0_0, slice0winner1_best_last_0_1 : natural range 0 to 1023;
+  signal slice0winner1_best_index_0_0, slice0winner1_tag_valid, slice0winner1_tag_output_column : boolean;
+  signal slice0winner1_tag_start_of_frame, slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice0winner1_best_index_0_2 : natural range 0 to 5;
+  -- slice0winner2
+  signal slice0winner2_best_cost_0_0, slice0winner2_best_cost_0_1 : natural range 0 to 1023;
+  signal slice0winner2_best_below_0_0, slice0winner2_best_below_0_1 : natural range 0 to 1023;
+  signal slice0winner2_best_above_0_0, slice0winner2_best_above_0_1 : natural range 0 to 1023;
+  signal slice0winner2_best_first_0_0, slice0winner2_best_first_0_1 : natural range 0 to 1023;
+  signal slice0winner2_best_last_0_0 : natural range 0 to 1023;
+  signal slice0winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice0winner2_best_index_0_1 : natural range 0 to 5;
+  signal slice0winner2_tag_valid, slice0winner2_tag_output_column, slice0winner2_tag_start_of_frame : boolean;
+  signal slice0winner2_tag_end_of_line : boolean;
+  -- slice0winner3
+  signal slice0winner3_best_cost_0_0, slice0winner3_best_below_0_0 : natural range 0 to 1023;
+  signal slice0winner3_best_above_0_0, slice0winner3_best_first_0_0 : natural range 0 to 1023;
+  signal slice0winner3_best_index_0_0 : natural range 0 to 5;
+  signal slice0winner3_tag_valid, slice0winner3_tag_output_column, slice0winner3_tag_start_of_frame : boolean;
+  signal slice0winner3_tag_end_of_line : boolean;
+  -- slice0
+  signal slice0_best_cost_0_0, slice0_best_below_0_0, slice0_best_above_0_0 : natural range 0 to 1023;
+  signal slice0_best_first_0_0 : natural range 0 to 1023;
+  signal slice0_best_index_0_0 : natural range 0 to 11;
+  signal slice0_best_tag_valid, slice0_best_tag_output_column, slice0_best_tag_start_of_frame : boolean;
+  signal slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 4095;
+  signal slice1shift_search_0_3, slice1shift_search_0_4, slice1shift_search_0_5 : natural range 0 to 4095;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 4095;
+  signal slice1shift_search_1_3, slice1shift_search_1_4, slice1shift_search_1_5 : natural range 0 to 4095;
+  signal slice1shift_reference_0, slice1shift_reference_1 : natural range 0 to 4095;
+  -- slice1cost
+  signal slice1cost_pixels_first_0_0, slice1cost_pixels_first_0_1, slice1cost_pixels_first_0_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_0_3, slice1cost_pixels_first_0_4, slice1cost_pixels_first_0_5 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_0, slice1cost_pixels_first_1_1, slice1cost_pixels_first_1_2 : natural range 0 to 255;
+  signal slice1cost_pixels_first_1_3, slice1cost_pixels_first_1_4, slice1cost_pixels_first_1_5 : natural range 0 to 255;
+  signal slice1cost_pixels_cost_0_0, slice1cost_pixels_cost_0_1, slice1cost_pixels_cost_0_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_0_3, slice1cost_pixels_cost_0_4, slice1cost_pixels_cost_0_5 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_0, slice1cost_pixels_cost_1_1, slice1cost_pixels_cost_1_2 : natural range 0 to 19;
+  signal slice1cost_pixels_cost_1_3, slice1cost_pixels_cost_1_4, slice1cost_pixels_cost_1_5 : natural range 0 to 19;
+  signal slice1cost_read_column, slice1cost_change_column, slice1cost_ready_column : natural range 0 to 63;
+  signal slice1cost_write_column : natural range 0 to 63;
+  signal slice1cost_read_words_0 : unsigned(27 downto 0);
+  signal slice1cost_read_words_1 : unsigned(13 downto 0);
+  signal slice1cost_change_0_0, slice1cost_change_0_1, slice1cost_change_0_2 : integer range -19 to 19;
+  signal slice1cost_change_0_3, slice1cost_change_0_4, slice1cost_change_0_5 : integer range -19 to 19;
+  signal slice1cost_ready_words_0, slice1cost_write_words_0 : natural range 0 to 268435455;
+  signal slice1cost_ready_words_1, slice1cost_write_words_1 : natural range 0 to 16383;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 127;
+  signal slice1cost_column_0_3, slice1cost_column_0_4, slice1cost_column_0_5 : natural range 0 to 127;
+  -- slice1window
+  signal slice1window_ring_read_address, slice1window_ring_write_address : natural range 0 to 7;
+  signal slice1window_leaving_0 : unsigned(27 downto 0);
+  signal slice1window_leaving_1 : unsigned(13 downto 0);
+  signal slice1window_entering_0_0, slice1window_entering_0_1, slice1window_entering_0_2 : natural range 0 to 127;
+  signal slice1window_entering_0_3, slice1window_entering_0_4, slice1window_entering_0_5 : natural range 0 to 127;
+  signal slice1window_change_0_0, slice1window_change_0_1, slice1window_change_0_2 : integer range -127 to 127;
+  signal slice1window_change_0_3, slice1window_change_0_4, slice1window_change_0_5 : integer range -127 to 127;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 1023;
+  signal slice1window_sum_0_3, slice1window_sum_0_4, slice1window_sum_0_5 : natural range 0 to 1023;
+  signal slice1window_centre_output_column_0, slice1window_centre_output_column_1 : boolean;
+  signal slice1window_centre_start_of_frame_0, slice1window_centre_start_of_frame_1 : boolean;
+  signal slice1window_centre_end_of_line_0, slice1window_centre_end_of_line_1 : boolean;
+  -- slice1winner1
+  signal slice1winner1_best_cost_0_0, slice1winner1_best_cost_0_1 : natural range 0 to 1023;
+  signal slice1winner1_best_cost_0_2, slice1winner1_best_below_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_below_0_1, slice1winner1_best_below_0_2 : natural range 0 to 1023;
+  signal slice1winner1_best_above_0_0, slice1winner1_best_above_0_1 : natural range 0 to 1023;
+  signal slice1winner1_best_above_0_2, slice1winner1_best_first_0_1 : natural range 0 to 1023;
+  signal slice1winner1_best_first_0_2, slice1winner1_best_last_0_0 : natural range 0 to 1023;
+  signal slice1winner1_best_last_0_1, slice1winner1_best_last_0_2 : natural range 0 to 1023;
+  signal slice1winner1_best_index_0_0 : boolean;
+  signal slice1winner1_best_index_0_1 : natural range 0 to 3;
+  signal slice1winner1_best_index_0_2 : natural range 0 to 5;
+  -- slice1winner2
+  signal slice1winner2_best_cost_0_0, slice1winner2_best_cost_0_1 : natural range 0 to 1023;
+  signal slice1winner2_best_below_0_0, slice1winner2_best_below_0_1 : natural range 0 to 1023;
+  signal slice1winner2_best_above_0_0, slice1winner2_best_above_0_1 : natural range 0 to 1023;
+  signal slice1winner2_best_first_0_1, slice1winner2_best_last_0_0 : natural range 0 to 1023;
+  signal slice1winner2_best_last_0_1 : natural range 0 to 1023;
+  signal slice1winner2_best_index_0_0 : natural range 0 to 3;
+  signal slice1winner2_best_index_0_1 : natural range 0 to 5;
+  -- slice1winner3
+  signal slice1winner3_best_cost_0_0, slice1winner3_best_below_0_0 : natural range 0 to 1023;
+  signal slice1winner3_best_above_0_0, slice1winner3_best_last_0_0 : natural range 0 to 1023;
+  signal slice1winner3_best_index_0_0 : natural range 0 to 5;
+  -- slice1
+  signal slice1_best_cost_0_0, slice1_best_below_0_0, slice1_best_above_0_0 : natural range 0 to 1023;
+  signal slice1_best_index_0_0 : natural range 0 to 11;
+  signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
+  signal slice1_best_tag_end_of_line : boolean;
+  -- refinement
+  signal refinement_disparity_0_0, refinement_disparity_1_0, refinement_disparity_2_0 : natural range 0 to 11;
+  signal refinement_disparity_3_0, refinement_disparity_4_0, refinement_disparity_5_0 : natural range 0 to 11;
+  signal refinement_disparity_6_0, refinement_disparity_7_0, refinement_disparity_8_0 : natural range 0 to 11;
+  signal refinement_disparity_9_0, refinement_disparity_10_0, refinement_disparity_11_0 : natural range 0 to 11;
+  signal refinement_passed_0_0, refinement_passed_1_0, refinement_passed_2_0, refinement_passed_3_0 : boolean;
+  signal refinement_passed_4_0, refinement_passed_5_0, refinement_passed_6_0, refinement_passed_7_0 : boolean;
+  signal refinement_passed_8_0, refinement_passed_9_0, refinement_passed_10_0, refinement_passed_11_0 : boolean;
+  signal refinement_tag_0_valid, refinement_tag_0_output_column, refinement_tag_0_start_of_frame : boolean;
+  signal refinement_tag_0_end_of_line, refinement_tag_1_valid, refinement_tag_1_output_column : boolean;
+  signal refinement_tag_1_start_of_frame, refinement_tag_1_end_of_line, refinement_tag_2_valid : boolean;
+  signal refinement_tag_2_output_column, refinement_tag_2_start_of_frame, refinement_tag_2_end_of_line : boolean;
+  signal refinement_tag_3_valid, refinement_tag_3_output_column, refinement_tag_3_start_of_frame : boolean;
+  signal refinement_tag_3_end_of_line, refinement_tag_4_valid, refinement_tag_4_output_column : boolean;
+  signal refinement_tag_4_start_of_frame, refinement_tag_4_end_of_line, refinement_tag_5_valid : boolean;
+  signal refinement_tag_5_output_column, refinement_tag_5_start_of_frame, refinement_tag_5_end_of_line : boolean;
+  signal refinement_tag_6_valid, refinement_tag_6_output_column, refinement_tag_6_start_of_frame : boolean;
+  signal refinement_tag_6_end_of_line, refinement_tag_7_valid, refinement_tag_7_output_column : boolean;
+  signal refinement_tag_7_start_of_frame, refinement_tag_7_end_of_line, refinement_tag_8_valid : boolean;
+  signal refinement_tag_8_output_column, refinement_tag_8_start_of_frame, refinement_tag_8_end_of_line : boolean;
+  signal refinement_tag_9_valid, refinement_tag_9_output_column, refinement_tag_9_start_of_frame : boolean;
+  signal refinement_tag_9_end_of_line, refinement_tag_10_valid, refinement_tag_10_output_column : boolean;
+  signal refinement_tag_10_start_of_frame, refinement_tag_10_end_of_line, refinement_tag_11_valid : boolean;
+  signal refinement_tag_11_output_column, refinement_tag_11_start_of_frame, refinement_tag_11_end_of_line : boolean;
+  signal refinement_negative_0_0, refinement_negative_1_0, refinement_negative_2_0, refinement_negative_3_0 : boolean;
+  signal refinement_negative_4_0, refinement_negative_5_0, refinement_negative_6_0, refinement_negative_7_0 : boolean;
+  signal refinement_negative_8_0 : boolean;
+  signal refinement_cost_0, refinement_below_0, refinement_above_0, refinement_u_0 : natural range 0 to 1023;
+  signal refinement_v_0, refinement_remainder_0_0, refinement_remainder_1_0 : natural range 0 to 1023;
+  signal refinement_remainder_2_0, refinement_remainder_3_0, refinement_remainder_4_0 : natural range 0 to 1023;
+  signal refinement_remainder_5_0, refinement_remainder_6_0, refinement_remainder_7_0 : natural range 0 to 1023;
+  signal refinement_divisor_0_0, refinement_divisor_1_0, refinement_divisor_2_0 : natural range 0 to 1023;
+  signal refinement_divisor_3_0, refinement_divisor_4_0, refinement_divisor_5_0 : natural range 0 to 1023;
+  signal refinement_divisor_6_0, refinement_divisor_7_0 : natural range 0 to 1023;
+  signal refinement_difference_0 : integer range -1023 to 1023;
+  signal refinement_quotient_8_0, refinement_fraction_0 : natural range 0 to 255;
+  -- map
+  signal map_out_disparity_0 : natural range 0 to 65535;
+  signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
+  -- other
+  signal other_0 : natural range 0 to 254;
+  signal other_1 : natural range 0 to 252;
+  signal other_2 : natural range 0 to 248;
+  signal other_3 : natural range 0 to 240;
+  signal other_4 : natural range 0 to 224;
+  signal other_5 : natural range 0 to 192;
+  signal other_6 : natural range 0 to 128;
+  signal other_7, other_11 : natural range 0 to 65534;
+  signal other_8, other_9, other_12, other_13 : natural range 0 to 8192;
+  signal other_10, other_14 : natural range 0 to 2042;
+  signal other_15, other_16 : natural range 0 to 257;
+  signal slice1window_leaving_1_memory_write_data : unsigned(13 downto 0);
+  signal slice1window_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal slice1cost_read_words_1_memory_write_data : unsigned(13 downto 0);
+  signal slice1cost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal slice0window_leaving_1_memory_write_data : unsigned(13 downto 0);
+  signal slice0window_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal slice0cost_read_words_1_memory_write_data : unsigned(13 downto 0);
+  signal slice0cost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_data : unsigned(11 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_data : unsigned(11 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+
+begin
+  in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
+  disparity_valid <= as_bit(map_out_valid);
+  disparity_start_of_frame <= as_bit(map_out_start_of_frame);
+  disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_5, 7) & to_unsigned(slice1cost_column_0_4, 7);
+  slice1window_leaving_1_memory : entity work.line_memory
+    generic map (depth => 8, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+
+  slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_3, 7) & to_unsigned(slice1cost_column_0_2, 7) & to_unsigned(slice1cost_column_0_1, 7) & to_unsigned(slice1cost_column_0_0, 7);
+  slice1window_leaving_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+
+  slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 14);
+  slice1cost_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+
+  slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 28);
+  slice1cost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+
+  slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 7) & to_unsigned(slice0cost_column_0_4, 7);
+  slice0window_leaving_1_memory : entity work.line_memory
+    generic map (depth => 8, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+
+  slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_3, 7) & to_unsigned(slice0cost_column_0_2, 7) & to_unsigned(slice0cost_column_0_1, 7) & to_unsigned(slice0cost_column_0_0, 7);
+  slice0window_leaving_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+
+  slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 14);
+  slice0cost_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+
+  slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 28);
+  slice0cost_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 28)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
+      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+
+  rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 12);
+  rows_search_rows_read_words_3_memory : entity work.line_memory
+    generic map (depth => 40, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_3,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+
+  rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 24);
+  rows_search_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+
+  rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
+  rows_search_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+
+  rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 12);
+  rows_reference_rows_read_words_3_memory : entity work.line_memory
+    generic map (depth => 40, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+
+  rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 24);
+  rows_reference_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+
+  rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
+  rows_reference_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 12)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
+  transform_left_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+
+  transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
+  transform_left_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
+  transform_right_rows_read_words_2_memory : entity work.line_memory
+    generic map (depth => 40, width => 8)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+
+  transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
+  transform_right_rows_read_words_1_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  process (clock)
+    variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
+    variable transform_counter_group_all, transform_counter_group_choice_2 : boolean;
+    variable transform_counter_group_is_equal_3, transform_centre_column_any, transform_from_first_0_is_equal : boolean;
+    variable transform_from_first_0_value, transform_from_first_1_is_equal, transform_from_first_1_value : boolean;
+    variable transform_from_first_1_choice, transform_from_first_1_choice_2, transform_up_to_last_0_choice : boolean;
+    variable transform_up_to_last_0_is_equal, transform_up_to_last_0_choice_2 : boolean;
+    variable transform_counter_next_frame_choice, raster_place_group_is_equal, raster_place_group_choice : boolean;
+    variable raster_place_column_is_equal, raster_place_column_choice, delay_tag_first_cost_is_equal : boolean;
+    variable slice0cost_pixels_first_0_0_value, slice0cost_pixels_first_0_0_value_2 : boolean;
+    variable slice0cost_pixels_first_0_0_value_3, slice0cost_pixels_first_0_0_value_4 : boolean;
+    variable slice0cost_pixels_first_0_0_value_5, slice0cost_pixels_first_0_0_value_6 : boolean;
+    variable slice0cost_pixels_first_0_0_value_7, slice0cost_pixels_first_0_0_value_8 : boolean;
+    variable slice0cost_pixels_first_0_0_value_9, slice0cost_pixels_first_0_0_value_10 : boolean;
+    variable slice0cost_pixels_first_1_0_value, slice0cost_pixels_first_1_0_value_2 : boolean;
+    variable slice0cost_pixels_first_1_0_value_3, slice0cost_pixels_first_1_0_value_4 : boolean;
+    variable slice0cost_pixels_first_1_0_value_5, slice0cost_pixels_first_1_0_value_6 : boolean;
+    variable slice0cost_pixels_first_1_0_value_7, slice0cost_pixels_first_1_0_value_8 : boolean;
+    variable slice0cost_pixels_first_1_0_value_9, slice0cost_pixels_first_1_0_value_10 : boolean;
+    variable slice0winner1_best_cost_0_0_is_less, slice0winner1_best_cost_0_1_is_less : boolean;
+    variable slice0winner1_best_cost_0_2_is_less, slice0winner2_best_cost_0_0_is_less : boolean;
+    variable slice0winner3_best_cost_0_0_is_less, slice1cost_pixels_first_0_0_value : boolean;
+    variable slice1cost_pixels_first_0_0_value_2, slice1cost_pixels_first_0_0_value_3 : boolean;
+    variable slice1cost_pixels_first_0_0_value_4, slice1cost_pixels_first_0_0_value_5 : boolean;
+    variable slice1cost_pixels_first_0_0_value_6, slice1cost_pixels_first_0_0_value_7 : boolean;
+    variable slice1cost_pixels_first_0_0_value_8, slice1cost_pixels_first_0_0_value_9 : boolean;
+    variable slice1cost_pixels_first_0_0_value_10, slice1cost_pixels_first_1_0_value : boolean;
+    variable slice1cost_pixels_first_1_0_value_2, slice1cost_pixels_first_1_0_value_3 : boolean;
+    variable slice1cost_pixels_first_1_0_value_4, slice1cost_pixels_first_1_0_value_5 : boolean;
+    variable slice1cost_pixels_first_1_0_value_6, slice1cost_pixels_first_1_0_value_7 : boolean;
+    variable slice1cost_pixels_first_1_0_value_8, slice1cost_pixels_first_1_0_value_9 : boolean;
+    variable slice1cost_pixels_first_1_0_value_10, slice1winner1_best_cost_0_0_is_less : boolean;
+    variable slice1winner1_best_cost_0_1_is_less, slice1winner1_best_cost_0_2_is_less : boolean;
+    variable slice1winner2_best_cost_0_0_is_less, slice1winner3_best_cost_0_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, refinement_divisor_0_0_is_less : boolean;
+    variable transform_counter_group_choice : natural range 0 to 9;
+    variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 31;
+    variable transform_centre_column_choice : natural range 9 to 15;
+    variable slice0cost_column_0_0_choice, slice0cost_column_0_0_choice_2 : natural range 0 to 127;
+    variable slice0cost_column_0_1_choice, slice0cost_column_0_1_choice_2 : natural range 0 to 127;
+    variable slice0cost_column_0_2_choice, slice0cost_column_0_2_choice_2 : natural range 0 to 127;
+    variable slice0cost_column_0_3_choice, slice0cost_column_0_3_choice_2 : natural range 0 to 127;
+    variable slice0cost_column_0_4_choice, slice0cost_column_0_4_choice_2 : natural range 0 to 127;
+    variable slice0cost_column_0_5_choice, slice0cost_column_0_5_choice_2 : natural range 0 to 127;
+    variable slice0window_change_0_0_choice, slice0window_change_0_1_choice : natural range 0 to 127;
+    variable slice0window_change_0_2_choice, slice0window_change_0_3_choice : natural range 0 to 127;
+    variable slice0window_change_0_4_choice, slice0window_change_0_5_choice : natural range 0 to 127;
+    variable slice1cost_column_0_0_choice, slice1cost_column_0_0_choice_2 : natural range 0 to 127;
+    variable slice1cost_column_0_1_choice, slice1cost_column_0_1_choice_2 : natural range 0 to 127;
+    variable slice1cost_column_0_2_choice, slice1cost_column_0_2_choice_2 : natural range 0 to 127;
+    variable slice1cost_column_0_3_choice, slice1cost_column_0_3_choice_2 : natural range 0 to 127;
+    variable slice1cost_column_0_4_choice, slice1cost_column_0_4_choice_2 : natural range 0 to 127;
+    variable slice1cost_column_0_5_choice, slice1cost_column_0_5_choice_2 : natural range 0 to 127;
+    variable slice1window_change_0_0_choice, slice1window_change_0_1_choice : natural range 0 to 127;
+    variable slice1window_change_0_2_choice, slice1window_change_0_3_choice : natural range 0 to 127;
+    variable slice1window_change_0_4_choice, slice1window_change_0_5_choice : natural range 0 to 127;
+    variable slice0window_sum_0_0_choice, slice0window_sum_0_1_choice : natural range 0 to 1023;
+    variable slice0window_sum_0_2_choice, slice0window_sum_0_3_choice : natural range 0 to 1023;
+    variable slice0window_sum_0_4_choice, slice0window_sum_0_5_choice : natural range 0 to 1023;
+    variable slice0winner2_best_below_0_0_choice, slice0winner2_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice0winner3_best_below_0_0_choice, slice0winner3_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice1window_sum_0_0_choice, slice1window_sum_0_1_choice : natural range 0 to 1023;
+    variable slice1window_sum_0_2_choice, slice1window_sum_0_3_choice : natural range 0 to 1023;
+    variable slice1window_sum_0_4_choice, slice1window_sum_0_5_choice : natural range 0 to 1023;
+    variable slice1winner2_best_below_0_0_choice, slice1winner2_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice1winner3_best_below_0_0_choice, slice1winner3_best_above_0_0_choice : natural range 0 to 1023;
+    variable slice1_best_below_0_0_choice, slice1_best_above_0_0_choice : natural range 0 to 1023;
+    variable refinement_divisor_0_0_choice : natural range 0 to 1023;
+    variable refinement_remainder_1_0_difference : natural range 1025 to 3071;
+    variable refinement_remainder_2_0_difference, refinement_remainder_3_0_difference : natural range 1025 to 4094;
+    variable refinement_remainder_4_0_difference, refinement_remainder_5_0_difference : natural range 1025 to 4094;
+    variable refinement_remainder_6_0_difference, refinement_remainder_7_0_difference : natural range 1025 to 4094;
+    variable refinement_fraction_0_difference : integer range -15 to 0;
+    variable refinement_fraction_0_value : natural range 0 to 16;
+    variable refinement_fraction_0_choice : natural range 0 to 255;
+    variable refinement_fraction_0_choice_2 : natural range 0 to 7;
+  begin
+    if rising_edge(clock) then
+      -- transform
+      transform_counter_group_is_equal := transform_counter_column = 39;
+      transform_counter_group_is_equal_2 := transform_counter_group = 17;
+      transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
+      transform_counter_group_choice := 9 when transform_counter_group_all else 0;
+      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
+        mod 2) = 1) when (transform_counter_group / 2) = 11 else transform_counter_group_is_equal and in_valid;
+      transform_counter_group_is_equal_3 := transform_counter_group = 21;
+      transform_counter_group_choice_3 := 4 when transform_counter_next_frame and transform_counter_group_is_equal_3
+        else (transform_counter_group + 1) mod 32;
+      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
+        transform_counter_group;
+      transform_centre_column_any := ((transform_counter_column / 32) = 1) or (((transform_counter_column / 16) mod 2)
+        = 1) or (((transform_counter_column / 8) mod 2) = 1) or (((transform_counter_column / 4) mod 2) = 1);
+      transform_centre_column_choice := 15 when transform_centre_column_any else 9;
+      transform_from_first_0_is_equal := ((transform_centre_column / 4) mod 8) = 0;
+      transform_from_first_0_value := ((transform_centre_column / 2) mod 2) = 1;
+      transform_from_first_1_is_equal := ((transform_centre_column / 4) mod 4) = 0;
+      transform_from_first_1_value := ((transform_centre_column / 8) mod 2) = 1;
+      transform_from_first_1_choice := transform_from_first_1_is_equal when transform_from_first_0_value else not
+        transform_from_first_1_value;
+      transform_from_first_1_choice_2 := transform_from_first_1_is_equal when (transform_centre_column mod 2) = 1 else
+        transform_from_first_1_choice;
+      transform_up_to_last_0_choice := transform_from_first_0_is_equal when transform_from_first_0_value else
+        ((transform_centre_column / 8) mod 4) = 0;
+      transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
+      transform_up_to_last_0_choice_2 := not ((transform_centre_group / 32) = 1) when (not (((transform_centre_group /
+        8) mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or ((transform_centre_group mod 4) = 0))
+        else transform_up_to_last_0_is_equal;
+      transform_left_0 <= in_left_pixel;
+      transform_right_0 <= in_right_pixel;
+      transform_valid <= in_valid;
+      transform_counter_group <= transform_counter_group_choice * 2 when in_valid and in_start_of_frame else
+        transform_counter_group_choice_4;
+      transform_left_rows_read_newest_0 <= transform_left_0;
+      transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
+      transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
+      transform_left_rows_ready_words_2 <= to_integer(transform_left_rows_read_words_2);
+      transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
+      transform_right_rows_read_newest_0 <= transform_right_0;
+      transform_right_rows_ready_words_0 <= transform_right_rows_read_words_0;
+      transform_right_rows_ready_words_1 <= transform_right_rows_read_words_1;
+      transform_right_rows_ready_words_2 <= to_integer(transform_right_rows_read_words_2);
+      transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
+      transform_read_column <= transform_counter_column;
+      transform_ready_column <= transform_read_column;
+      transform_centre_column <= (((transform_centre_column_choice + (transform_counter_column / 4)) mod 16) * 4) +
+        (transform_counter_column mod 4);
+      transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
+      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        ((transform_centre_group / 8) = 0))) and (((transform_centre_column / 32) = 1) or transform_from_first_0_value)
+        when transform_from_first_0_is_equal else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        ((transform_centre_group / 8) = 0));
+      transform_from_first_1 <= (not (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0))) and
+        ((transform_centre_group / 32) = 1) when (not (((transform_centre_group / 16) mod 2) = 1)) and ((not
+        (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group / 2) mod 4) = 0)) else not
+        (transform_from_first_1_choice_2 and ((transform_centre_column / 16) = 0));
+      transform_up_to_last_0 <= transform_up_to_last_0_choice_2 when transform_up_to_last_0_choice else
+        transform_up_to_last_0_choice_2 and (not ((transform_centre_column / 32) = 1));
+      transform_up_to_last_1 <= (not (((transform_centre_column / 32) = 1) and ((((transform_centre_column / 16) mod 2)
+        = 1) or transform_from_first_1_value or (((transform_centre_column / 4) mod 2) = 1)))) and (not
+        ((transform_centre_group / 32) = 1)) when ((not (((transform_centre_group / 2) mod 2) = 1)) or (not
+        ((transform_centre_group mod 2) = 1))) and (((transform_centre_group / 4) mod 4) = 0) else (not
+        (((transform_centre_column / 32) = 1) and ((((transform_centre_column / 16) mod 2) = 1) or
+        transform_from_first_1_value or (((transform_centre_column / 4) mod 2) = 1)))) and
+        transform_up_to_last_0_is_equal;
+      transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
+      transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
+      transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
+      transform_left_column_3 <= to_integer(transform_left_rows_ready_words_0(31 downto 24));
+      transform_left_column_4 <= to_integer(transform_left_rows_ready_words_1(7 downto 0));
+      transform_left_column_5 <= to_integer(transform_left_rows_ready_words_1(15 downto 8));
+      transform_left_column_6 <= to_integer(transform_left_rows_ready_words_1(23 downto 16));
+      transform_left_column_7 <= to_integer(transform_left_rows_ready_words_1(31 downto 24));
+      transform_left_column_8 <= transform_left_rows_ready_words_2;
+      transform_left_column_9 <= transform_left_rows_ready_newest_0;
+      transform_right_column_0 <= to_integer(transform_right_rows_ready_words_0(7 downto 0));
+      transform_right_column_1 <= to_integer(transform_right_rows_ready_words_0(15 downto 8));
+      transform_right_column_2 <= to_integer(transform_right_rows_ready_words_0(23 downto 16));
+      transform_right_column_3 <= to_integer(transform_right_rows_ready_words_0(31 downto 24));
+      transform_right_column_4 <= to_integer(transform_right_rows_ready_words_1(7 downto 0));
+      transform_right_column_5 <= to_integer(transform_right_rows_ready_words_1(15 downto 8));
+      transform_right_column_6 <= to_integer(transform_right_rows_ready_words_1(23 downto 16));
+      transform_right_column_7 <= to_integer(transform_right_rows_ready_words_1(31 downto 24));
+      transform_right_column_8 <= transform_right_rows_ready_words_2;
+      transform_right_column_9 <= transform_right_rows_ready_newest_0;
+      transform_columns_inside_0 <= transform_up_to_last_0 and transform_from_first_0;
+      transform_columns_inside_1 <= transform_up_to_last_1 and transform_from_first_1;
+      transform_columns_start_of_frame <= (other_15 mod 2) = 1;
+      transform_columns_valid <= (other_15 / 256) = 1;
+      transform_left_code_column_box_0_0_0 <= transform_left_column_3;
+      transform_left_code_column_box_0_1_0 <= transform_left_column_4;
+      transform_left_code_column_box_0_2_0 <= transform_left_column_5;
+      transform_left_code_column_box_0_3_0 <= transform_left_column_6;
+      transform_left_code_column_box_0_4_0 <= transform_left_column_7;
+      transform_left_code_column_centre <= transform_left_code_column_box_0_2_0;
+      transform_left_code_column_near <= transform_left_code_column_box_0_1_0 + transform_left_code_column_box_0_3_0;
+      transform_left_code_column_outer <= (510 - transform_left_code_column_box_0_4_0) -
+        transform_left_code_column_box_0_0_0;
+      transform_left_code_column_upper <= 765 - (((transform_left_code_column_box_0_1_0 +
+        (transform_left_code_column_box_0_0_0 / 2)) * 2) + (transform_left_code_column_box_0_0_0 mod 2));
+      transform_left_code_column_lower <= ((transform_left_code_column_box_0_3_0 +
+        (transform_left_code_column_box_0_4_0 / 2)) * 2) + (transform_left_code_column_box_0_4_0 mod 2);
+      transform_left_code_column_response_0 <= ((transform_left_code_column_centre + (transform_left_code_column_near /
+        2)) * 2) + (transform_left_code_column_near mod 2);
+      transform_left_code_column_response_1 <= ((transform_left_code_column_centre + (transform_left_code_column_outer
+        / 2)) * 2) + (transform_left_code_column_outer mod 2);
+      transform_left_code_column_response_2 <= transform_left_code_column_upper + transform_left_code_column_lower;
+      transform_left_code_row_box_0_0 <= transform_left_code_column_response_0;
+      transform_left_code_row_box_0_1 <= transform_left_code_column_response_1;
+      transform_left_code_row_box_0_2 <= transform_left_code_column_response_2;
+      transform_left_code_row_centre_0 <= transform_left_code_row_column_0_1;
+      transform_left_code_row_centre_1 <= transform_left_code_row_column_1_1;
+      transform_left_code_row_centre_2 <= transform_left_code_row_column_2_1;
+      transform_left_code_row_outer_1 <= transform_left_code_row_box_0_1 + transform_left_code_row_column_1_3;
+      transform_left_code_row_outer_2 <= transform_left_code_row_box_0_2 + transform_left_code_row_column_2_3;
+      transform_left_code_row_before_0 <= ((transform_left_code_row_column_0_2 + (transform_left_code_row_column_0_3 /
+        2)) * 2) + (transform_left_code_row_column_0_3 mod 2);
+      transform_left_code_row_before_1 <= ((transform_left_code_row_column_1_2 + (transform_left_code_row_column_1_3 /
+        2)) * 2) + (transform_left_code_row_column_1_3 mod 2);
+      transform_left_code_row_before_2 <= ((transform_left_code_row_column_2_2 + (transform_left_code_row_column_2_3 /
+        2)) * 2) + (transform_left_code_row_column_2_3 mod 2);
+      transform_left_code_row_after_0 <= (((transform_left_code_row_box_0_0 / 2) + transform_left_code_row_column_0_0)
+        * 2) + (transform_left_code_row_box_0_0 mod 2);
+      transform_left_code_row_after_1 <= (((transform_left_code_row_box_0_1 / 2) + transform_left_code_row_column_1_0)
+        * 2) + (transform_left_code_row_box_0_1 mod 2);
+      transform_left_code_row_after_2 <= (((transform_left_code_row_box_0_2 / 2) + transform_left_code_row_column_2_0)
+        * 2) + (transform_left_code_row_box_0_2 mod 2);
+      transform_left_code_row_even_1 <= ((((transform_left_code_row_outer_1 / 2) - transform_left_code_row_centre_1)
+        mod 8192) * 2) + (transform_left_code_row_outer_1 mod 2);
+      transform_left_code_row_even_2 <= ((((transform_left_code_row_outer_2 / 2) - transform_left_code_row_centre_2)
+        mod 8192) * 2) + (transform_left_code_row_outer_2 mod 2);
+      transform_left_code_row_odd_1 <= (transform_left_code_row_before_1 - transform_left_code_row_after_1) mod 16384;
+      transform_left_code_row_odd_2 <= (transform_left_code_row_before_2 - transform_left_code_row_after_2) mod 16384;
+      transform_left_code_row_signs <= ((other_12 / 8192) * 2) + (other_13 / 8192) + ((((transform_left_code_row_even_2
+        + transform_left_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_left_code_row_odd_1 -
+        transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
+        transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_left_code_bits <= transform_left_code_earlier_1 when transform_filtering_6_inside_0 else 0;
+      transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
+      transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
+      transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
+      transform_left_code_next_column_box_0_3_0 <= transform_left_column_6 + transform_left_column_7;
+      transform_left_code_next_column_box_0_4_0 <= transform_left_column_8 + transform_left_column_9;
+      transform_left_code_next_column_centre <= transform_left_code_next_column_box_0_2_0;
+      transform_left_code_next_column_near <= transform_left_code_next_column_box_0_1_0 +
+        transform_left_code_next_column_box_0_3_0;
+      transform_left_code_next_column_outer <= (1020 - transform_left_code_next_column_box_0_4_0) -
+        transform_left_code_next_column_box_0_0_0;
+      transform_left_code_next_column_upper <= (1530 - (((transform_left_code_next_column_box_0_1_0 +
+        (transform_left_code_next_column_box_0_0_0 / 2)) * 2) + (transform_left_code_next_column_box_0_0_0 mod 2))) mod
+        65536;
+      transform_left_code_next_column_lower <= ((transform_left_code_next_column_box_0_3_0 +
+        (transform_left_code_next_column_box_0_4_0 / 2)) * 2) + (transform_left_code_next_column_box_0_4_0 mod 2);
+      transform_left_code_next_column_response_0 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_near / 2)) * 2) + (transform_left_code_next_column_near mod 2);
+      transform_left_code_next_column_response_1 <= ((transform_left_code_next_column_centre +
+        (transform_left_code_next_column_outer / 2)) * 2) + (transform_left_code_next_column_outer mod 2);
+      transform_left_code_next_column_response_2 <= (transform_left_code_next_column_upper +
+        transform_left_code_next_column_lower) mod 65536;
+      transform_left_code_next_row_box_0_0 <= transform_left_code_next_column_response_0 +
+        transform_left_code_next_row_earlier_0_0_0;
+      transform_left_code_next_row_box_0_1 <= transform_left_code_next_column_response_1 +
+        transform_left_code_next_row_earlier_0_1_0;
+      transform_left_code_next_row_box_0_2 <= (transform_left_code_next_column_response_2 +
+        transform_left_code_next_row_earlier_0_2_0) mod 65536;
+      transform_left_code_next_row_centre_0 <= transform_left_code_next_row_column_0_3;
+      transform_left_code_next_row_centre_1 <= transform_left_code_next_row_column_1_3;
+      transform_left_code_next_row_centre_2 <= transform_left_code_next_row_column_2_3 mod 32768;
+      transform_left_code_next_row_outer_0 <= transform_left_code_next_row_box_0_0 +
+        transform_left_code_next_row_column_0_7;
+      transform_left_code_next_row_outer_1 <= transform_left_code_next_row_box_0_1 +
+        transform_left_code_next_row_column_1_7;
+      transform_left_code_next_row_outer_2 <= (transform_left_code_next_row_box_0_2 +
+        transform_left_code_next_row_column_2_7) mod 65536;
+      transform_left_code_next_row_before_0 <= ((transform_left_code_next_row_column_0_5 +
+        (transform_left_code_next_row_column_0_7 / 2)) * 2) + (transform_left_code_next_row_column_0_7 mod 2);
+      transform_left_code_next_row_before_1 <= ((transform_left_code_next_row_column_1_5 +
+        (transform_left_code_next_row_column_1_7 / 2)) * 2) + (transform_left_code_next_row_column_1_7 mod 2);
+      transform_left_code_next_row_before_2 <= (((transform_left_code_next_row_column_2_5 +
+        (transform_left_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_left_code_next_row_column_2_7 mod
+        2);
+      transform_left_code_next_row_after_0 <= (((transform_left_code_next_row_box_0_0 / 2) +
+        transform_left_code_next_row_column_0_1) * 2) + (transform_left_code_next_row_box_0_0 mod 2);
+      transform_left_code_next_row_after_1 <= (((transform_left_code_next_row_box_0_1 / 2) +
+        transform_left_code_next_row_column_1_1) * 2) + (transform_left_code_next_row_box_0_1 mod 2);
+      transform_left_code_next_row_after_2 <= ((((transform_left_code_next_row_box_0_2 / 2) +
+        transform_left_code_next_row_column_2_1) mod 32768) * 2) + (transform_left_code_next_row_box_0_2 mod 2);
+      transform_left_code_next_row_even_1 <= ((((transform_left_code_next_row_outer_1 / 2) -
+        transform_left_code_next_row_centre_1) mod 32768) * 2) + (transform_left_code_next_row_outer_1 mod 2);
+      transform_left_code_next_row_even_2 <= ((((transform_left_code_next_row_outer_2 / 2) -
+        transform_left_code_next_row_centre_2) mod 32768) * 2) + (transform_left_code_next_row_outer_2 mod 2);
+      transform_left_code_next_row_odd_0 <= (transform_left_code_next_row_before_0 -
+        transform_left_code_next_row_after_0) mod 65536;
+      transform_left_code_next_row_odd_1 <= (transform_left_code_next_row_before_1 -
+        transform_left_code_next_row_after_1) mod 65536;
+      transform_left_code_next_row_odd_2 <= (transform_left_code_next_row_before_2 -
+        transform_left_code_next_row_after_2) mod 65536;
+      transform_left_code_next_row_signs <= (other_11 / 32768) + ((transform_left_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_left_code_next_row_even_2 + transform_left_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_right_code_column_box_0_0_0 <= transform_right_column_3;
+      transform_right_code_column_box_0_1_0 <= transform_right_column_4;
+      transform_right_code_column_box_0_2_0 <= transform_right_column_5;
+      transform_right_code_column_box_0_3_0 <= transform_right_column_6;
+      transform_right_code_column_box_0_4_0 <= transform_right_column_7;
+      transform_right_code_column_centre <= transform_right_code_column_box_0_2_0;
+      transform_right_code_column_near <= transform_right_code_column_box_0_1_0 + transform_right_code_column_box_0_3_0;
+      transform_right_code_column_outer <= (510 - transform_right_code_column_box_0_4_0) -
+        transform_right_code_column_box_0_0_0;
+      transform_right_code_column_upper <= 765 - (((transform_right_code_column_box_0_1_0 +
+        (transform_right_code_column_box_0_0_0 / 2)) * 2) + (transform_right_code_column_box_0_0_0 mod 2));
+      transform_right_code_column_lower <= ((transform_right_code_column_box_0_3_0 +
+        (transform_right_code_column_box_0_4_0 / 2)) * 2) + (transform_right_code_column_box_0_4_0 mod 2);
+      transform_right_code_column_response_0 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_near / 2)) * 2) + (transform_right_code_column_near mod 2);
+      transform_right_code_column_response_1 <= ((transform_right_code_column_centre +
+        (transform_right_code_column_outer / 2)) * 2) + (transform_right_code_column_outer mod 2);
+      transform_right_code_column_response_2 <= transform_right_code_column_upper + transform_right_code_column_lower;
+      transform_right_code_row_box_0_0 <= transform_right_code_column_response_0;
+      transform_right_code_row_box_0_1 <= transform_right_code_column_response_1;
+      transform_right_code_row_box_0_2 <= transform_right_code_column_response_2;
+      transform_right_code_row_centre_0 <= transform_right_code_row_column_0_1;
+      transform_right_code_row_centre_1 <= transform_right_code_row_column_1_1;
+      transform_right_code_row_centre_2 <= transform_right_code_row_column_2_1;
+      transform_right_code_row_outer_1 <= transform_right_code_row_box_0_1 + transform_right_code_row_column_1_3;
+      transform_right_code_row_outer_2 <= transform_right_code_row_box_0_2 + transform_right_code_row_column_2_3;
+      transform_right_code_row_before_0 <= ((transform_right_code_row_column_0_2 + (transform_right_code_row_column_0_3
+        / 2)) * 2) + (transform_right_code_row_column_0_3 mod 2);
+      transform_right_code_row_before_1 <= ((transform_right_code_row_column_1_2 + (transform_right_code_row_column_1_3
+        / 2)) * 2) + (transform_right_code_row_column_1_3 mod 2);
+      transform_right_code_row_before_2 <= ((transform_right_code_row_column_2_2 + (transform_right_code_row_column_2_3
+        / 2)) * 2) + (transform_right_code_row_column_2_3 mod 2);
+      transform_right_code_row_after_0 <= (((transform_right_code_row_box_0_0 / 2) +
+        transform_right_code_row_column_0_0) * 2) + (transform_right_code_row_box_0_0 mod 2);
+      transform_right_code_row_after_1 <= (((transform_right_code_row_box_0_1 / 2) +
+        transform_right_code_row_column_1_0) * 2) + (transform_right_code_row_box_0_1 mod 2);
+      transform_right_code_row_after_2 <= (((transform_right_code_row_box_0_2 / 2) +
+        transform_right_code_row_column_2_0) * 2) + (transform_right_code_row_box_0_2 mod 2);
+      transform_right_code_row_even_1 <= ((((transform_right_code_row_outer_1 / 2) - transform_right_code_row_centre_1)
+        mod 8192) * 2) + (transform_right_code_row_outer_1 mod 2);
+      transform_right_code_row_even_2 <= ((((transform_right_code_row_outer_2 / 2) - transform_right_code_row_centre_2)
+        mod 8192) * 2) + (transform_right_code_row_outer_2 mod 2);
+      transform_right_code_row_odd_1 <= (transform_right_code_row_before_1 - transform_right_code_row_after_1) mod
+        16384;
+      transform_right_code_row_odd_2 <= (transform_right_code_row_before_2 - transform_right_code_row_after_2) mod
+        16384;
+      transform_right_code_row_signs <= ((other_8 / 8192) * 2) + (other_9 / 8192) + ((((transform_right_code_row_even_2
+        + transform_right_code_row_odd_1) mod 16384) / 8192) * 8) + ((((transform_right_code_row_odd_1 -
+        transform_right_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_right_code_row_even_1 -
+        transform_right_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_right_code_row_even_1 +
+        transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
+      transform_right_code_bits <= transform_right_code_earlier_1 when transform_filtering_6_inside_0 else 0;
+      transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
+      transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
+      transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
+      transform_right_code_next_column_box_0_3_0 <= transform_right_column_6 + transform_right_column_7;
+      transform_right_code_next_column_box_0_4_0 <= transform_right_column_8 + transform_right_column_9;
+      transform_right_code_next_column_centre <= transform_right_code_next_column_box_0_2_0;
+      transform_right_code_next_column_near <= transform_right_code_next_column_box_0_1_0 +
+        transform_right_code_next_column_box_0_3_0;
+      transform_right_code_next_column_outer <= (1020 - transform_right_code_next_column_box_0_4_0) -
+        transform_right_code_next_column_box_0_0_0;
+      transform_right_code_next_column_upper <= (1530 - (((transform_right_code_next_column_box_0_1_0 +
+        (transform_right_code_next_column_box_0_0_0 / 2)) * 2) + (transform_right_code_next_column_box_0_0_0 mod 2)))
+        mod 65536;
+      transform_right_code_next_column_lower <= ((transform_right_code_next_column_box_0_3_0 +
+        (transform_right_code_next_column_box_0_4_0 / 2)) * 2) + (transform_right_code_next_column_box_0_4_0 mod 2);
+      transform_right_code_next_column_response_0 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_near / 2)) * 2) + (transform_right_code_next_column_near mod 2);
+      transform_right_code_next_column_response_1 <= ((transform_right_code_next_column_centre +
+        (transform_right_code_next_column_outer / 2)) * 2) + (transform_right_code_next_column_outer mod 2);
+      transform_right_code_next_column_response_2 <= (transform_right_code_next_column_upper +
+        transform_right_code_next_column_lower) mod 65536;
+      transform_right_code_next_row_box_0_0 <= transform_right_code_next_column_response_0 +
+        transform_right_code_next_row_earlier_0_0_0;
+      transform_right_code_next_row_box_0_1 <= transform_right_code_next_column_response_1 +
+        transform_right_code_next_row_earlier_0_1_0;
+      transform_right_code_next_row_box_0_2 <= (transform_right_code_next_column_response_2 +
+        transform_right_code_next_row_earlier_0_2_0) mod 65536;
+      transform_right_code_next_row_centre_0 <= transform_right_code_next_row_column_0_3;
+      transform_right_code_next_row_centre_1 <= transform_right_code_next_row_column_1_3;
+      transform_right_code_next_row_centre_2 <= transform_right_code_next_row_column_2_3 mod 32768;
+      transform_right_code_next_row_outer_0 <= transform_right_code_next_row_box_0_0 +
+        transform_right_code_next_row_column_0_7;
+      transform_right_code_next_row_outer_1 <= transform_right_code_next_row_box_0_1 +
+        transform_right_code_next_row_column_1_7;
+      transform_right_code_next_row_outer_2 <= (transform_right_code_next_row_box_0_2 +
+        transform_right_code_next_row_column_2_7) mod 65536;
+      transform_right_code_next_row_before_0 <= ((transform_right_code_next_row_column_0_5 +
+        (transform_right_code_next_row_column_0_7 / 2)) * 2) + (transform_right_code_next_row_column_0_7 mod 2);
+      transform_right_code_next_row_before_1 <= ((transform_right_code_next_row_column_1_5 +
+        (transform_right_code_next_row_column_1_7 / 2)) * 2) + (transform_right_code_next_row_column_1_7 mod 2);
+      transform_right_code_next_row_before_2 <= (((transform_right_code_next_row_column_2_5 +
+        (transform_right_code_next_row_column_2_7 / 2)) mod 32768) * 2) + (transform_right_code_next_row_column_2_7 mod
+        2);
+      transform_right_code_next_row_after_0 <= (((transform_right_code_next_row_box_0_0 / 2) +
+        transform_right_code_next_row_column_0_1) * 2) + (transform_right_code_next_row_box_0_0 mod 2);
+      transform_right_code_next_row_after_1 <= (((transform_right_code_next_row_box_0_1 / 2) +
+        transform_right_code_next_row_column_1_1) * 2) + (transform_right_code_next_row_box_0_1 mod 2);
+      transform_right_code_next_row_after_2 <= ((((transform_right_code_next_row_box_0_2 / 2) +
+        transform_right_code_next_row_column_2_1) mod 32768) * 2) + (transform_right_code_next_row_box_0_2 mod 2);
+      transform_right_code_next_row_even_1 <= ((((transform_right_code_next_row_outer_1 / 2) -
+        transform_right_code_next_row_centre_1) mod 32768) * 2) + (transform_right_code_next_row_outer_1 mod 2);
+      transform_right_code_next_row_even_2 <= ((((transform_right_code_next_row_outer_2 / 2) -
+        transform_right_code_next_row_centre_2) mod 32768) * 2) + (transform_right_code_next_row_outer_2 mod 2);
+      transform_right_code_next_row_odd_0 <= (transform_right_code_next_row_before_0 -
+        transform_right_code_next_row_after_0) mod 65536;
+      transform_right_code_next_row_odd_1 <= (transform_right_code_next_row_before_1 -
+        transform_right_code_next_row_after_1) mod 65536;
+      transform_right_code_next_row_odd_2 <= (transform_right_code_next_row_before_2 -
+        transform_right_code_next_row_after_2) mod 65536;
+      transform_right_code_next_row_signs <= (other_7 / 32768) + ((transform_right_code_next_row_odd_0 / 32768) * 2) +
+        ((((transform_right_code_next_row_even_2 + transform_right_code_next_row_odd_1) mod 65536) / 32768) * 8) +
+        ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
+        ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
+        ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
+      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
+      transform_filtering_0_inside_0 <= transform_columns_inside_0;
+      transform_filtering_0_inside_1 <= transform_columns_inside_1;
+      transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
+      transform_filtering_0_valid <= transform_columns_valid;
+      transform_filtering_1_inside_0 <= transform_filtering_0_inside_0;
+      transform_filtering_1_inside_1 <= transform_filtering_0_inside_1;
+      transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
+      transform_filtering_1_valid <= transform_filtering_0_valid;
+      transform_filtering_2_inside_0 <= transform_filtering_1_inside_0;
+      transform_filtering_2_inside_1 <= transform_filtering_1_inside_1;
+      transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
+      transform_filtering_2_valid <= transform_filtering_1_valid;
+      transform_filtering_3_inside_0 <= transform_filtering_2_inside_0;
+      transform_filtering_3_inside_1 <= transform_filtering_2_inside_1;
+      transform_filtering_3_start_of_frame <= transform_filtering_2_start_of_frame;
+      transform_filtering_3_valid <= transform_filtering_2_valid;
+      transform_filtering_4_inside_0 <= transform_filtering_3_inside_0;
+      transform_filtering_4_inside_1 <= transform_filtering_3_inside_1;
+      transform_filtering_4_start_of_frame <= transform_filtering_3_start_of_frame;
+      transform_filtering_4_valid <= transform_filtering_3_valid;
+      transform_filtering_5_inside_0 <= transform_filtering_4_inside_0;
+      transform_filtering_5_inside_1 <= transform_filtering_4_inside_1;
+      transform_filtering_5_start_of_frame <= transform_filtering_4_start_of_frame;
+      transform_filtering_5_valid <= transform_filtering_4_valid;
+      transform_filtering_6_inside_0 <= transform_filtering_5_inside_0;
+      transform_filtering_6_inside_1 <= transform_filtering_5_inside_1;
+      transform_filtering_6_start_of_frame <= transform_filtering_5_start_of_frame;
+      transform_filtering_6_valid <= transform_filtering_5_valid;
+      transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
+      transform_filtering_7_valid <= transform_filtering_6_valid;
+      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
+        transform_counter_next_frame;
+      if in_valid then
+        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
+          (transform_counter_column + 1) mod 64;
+        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
+          transform_counter_next_frame_choice;
+      end if;
+      if (other_15 / 256) = 1 then
+        transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
+          transform_left_rows_ready_words_0(31 downto 8);
+        transform_left_rows_write_words_1 <= to_unsigned(transform_left_rows_ready_words_2, 8) &
+          transform_left_rows_ready_words_1(31 downto 8);
+        transform_left_rows_write_words_2 <= transform_left_rows_ready_newest_0;
+        transform_right_rows_write_words_0 <= transform_right_rows_ready_words_1(7 downto 0) &
+          transform_right_rows_ready_words_0(31 downto 8);
+        transform_right_rows_write_words_1 <= to_unsigned(transform_right_rows_ready_words_2, 8) &
+          transform_right_rows_ready_words_1(31 downto 8);
+        transform_right_rows_write_words_2 <= transform_right_rows_ready_newest_0;
+        transform_write_column <= transform_ready_column;
+      end if;
+      if transform_filtering_3_valid then
+        transform_left_code_row_column_0_0 <= transform_left_code_row_box_0_0;
+        transform_left_code_row_column_0_1 <= transform_left_code_row_column_0_0;
+        transform_left_code_row_column_0_2 <= transform_left_code_row_column_0_1;
+        transform_left_code_row_column_0_3 <= transform_left_code_row_column_0_2;
+        transform_left_code_row_column_1_0 <= transform_left_code_row_box_0_1;
+        transform_left_code_row_column_1_1 <= transform_left_code_row_column_1_0;
+        transform_left_code_row_column_1_2 <= transform_left_code_row_column_1_1;
+        transform_left_code_row_column_1_3 <= transform_left_code_row_column_1_2;
+        transform_left_code_row_column_2_0 <= transform_left_code_row_box_0_2;
+        transform_left_code_row_column_2_1 <= transform_left_code_row_column_2_0;
+        transform_left_code_row_column_2_2 <= transform_left_code_row_column_2_1;
+        transform_left_code_row_column_2_3 <= transform_left_code_row_column_2_2;
+        transform_left_code_next_row_column_0_0 <= transform_left_code_next_row_box_0_0;
+        transform_left_code_next_row_column_0_1 <= transform_left_code_next_row_column_0_0;
+        transform_left_code_next_row_column_0_2 <= transform_left_code_next_row_column_0_1;
+        transform_left_code_next_row_column_0_3 <= transform_left_code_next_row_column_0_2;
+        transform_left_code_next_row_column_0_4 <= transform_left_code_next_row_column_0_3;
+        transform_left_code_next_row_column_0_5 <= transform_left_code_next_row_column_0_4;
+        transform_left_code_next_row_column_0_6 <= transform_left_code_next_row_column_0_5;
+        transform_left_code_next_row_column_0_7 <= transform_left_code_next_row_column_0_6;
+        transform_left_code_next_row_column_1_0 <= transform_left_code_next_row_box_0_1;
+        transform_left_code_next_row_column_1_1 <= transform_left_code_next_row_column_1_0;
+        transform_left_code_next_row_column_1_2 <= transform_left_code_next_row_column_1_1;
+        transform_left_code_next_row_column_1_3 <= transform_left_code_next_row_column_1_2;
+        transform_left_code_next_row_column_1_4 <= transform_left_code_next_row_column_1_3;
+        transform_left_code_next_row_column_1_5 <= transform_left_code_next_row_column_1_4;
+        transform_left_code_next_row_column_1_6 <= transform_left_code_next_row_column_1_5;
+        transform_left_code_next_row_column_1_7 <= transform_left_code_next_row_column_1_6;
+        transform_left_code_next_row_column_2_0 <= transform_left_code_next_row_box_0_2;
+        transform_left_code_next_row_column_2_1 <= transform_left_code_next_row_column_2_0;
+        transform_left_code_next_row_column_2_2 <= transform_left_code_next_row_column_2_1;
+        transform_left_code_next_row_column_2_3 <= transform_left_code_next_row_column_2_2;
+        transform_left_code_next_row_column_2_4 <= transform_left_code_next_row_column_2_3;
+        transform_left_code_next_row_column_2_5 <= transform_left_code_next_row_column_2_4;
+        transform_left_code_next_row_column_2_6 <= transform_left_code_next_row_column_2_5;
+        transform_left_code_next_row_column_2_7 <= transform_left_code_next_row_column_2_6;
+        transform_right_code_row_column_0_0 <= transform_right_code_row_box_0_0;
+        transform_right_code_row_column_0_1 <= transform_right_code_row_column_0_0;
+        transform_right_code_row_column_0_2 <= transform_right_code_row_column_0_1;
+        transform_right_code_row_column_0_3 <= transform_right_code_row_column_0_2;
+        transform_right_code_row_column_1_0 <= transform_right_code_row_box_0_1;
+        transform_right_code_row_column_1_1 <= transform_right_code_row_column_1_0;
+        transform_right_code_row_column_1_2 <= transform_right_code_row_column_1_1;
+        transform_right_code_row_column_1_3 <= transform_right_code_row_column_1_2;
+        transform_right_code_row_column_2_0 <= transform_right_code_row_box_0_2;
+        transform_right_code_row_column_2_1 <= transform_right_code_row_column_2_0;
+        transform_right_code_row_column_2_2 <= transform_right_code_row_column_2_1;
+        transform_right_code_row_column_2_3 <= transform_right_code_row_column_2_2;
+        transform_right_code_next_row_column_0_0 <= transform_right_code_next_row_box_0_0;
+        transform_right_code_next_row_column_0_1 <= transform_right_code_next_row_column_0_0;
+        transform_right_code_next_row_column_0_2 <= transform_right_code_next_row_column_0_1;
+        transform_right_code_next_row_column_0_3 <= transform_right_code_next_row_column_0_2;
+        transform_right_code_next_row_column_0_4 <= transform_right_code_next_row_column_0_3;
+        transform_right_code_next_row_column_0_5 <= transform_right_code_next_row_column_0_4;
+        transform_right_code_next_row_column_0_6 <= transform_right_code_next_row_column_0_5;
+        transform_right_code_next_row_column_0_7 <= transform_right_code_next_row_column_0_6;
+        transform_right_code_next_row_column_1_0 <= transform_right_code_next_row_box_0_1;
+        transform_right_code_next_row_column_1_1 <= transform_right_code_next_row_column_1_0;
+        transform_right_code_next_row_column_1_2 <= transform_right_code_next_row_column_1_1;
+        transform_right_code_next_row_column_1_3 <= transform_right_code_next_row_column_1_2;
+        transform_right_code_next_row_column_1_4 <= transform_right_code_next_row_column_1_3;
+        transform_right_code_next_row_column_1_5 <= transform_right_code_next_row_column_1_4;
+        transform_right_code_next_row_column_1_6 <= transform_right_code_next_row_column_1_5;
+        transform_right_code_next_row_column_1_7 <= transform_right_code_next_row_column_1_6;
+        transform_right_code_next_row_column_2_0 <= transform_right_code_next_row_box_0_2;
+        transform_right_code_next_row_column_2_1 <= transform_right_code_next_row_column_2_0;
+        transform_right_code_next_row_column_2_2 <= transform_right_code_next_row_column_2_1;
+        transform_right_code_next_row_column_2_3 <= transform_right_code_next_row_column_2_2;
+        transform_right_code_next_row_column_2_4 <= transform_right_code_next_row_column_2_3;
+        transform_right_code_next_row_column_2_5 <= transform_right_code_next_row_column_2_4;
+        transform_right_code_next_row_column_2_6 <= transform_right_code_next_row_column_2_5;
+        transform_right_code_next_row_column_2_7 <= transform_right_code_next_row_column_2_6;
+      end if;
+      if transform_filtering_6_valid then
+        transform_left_code_earlier_0 <= transform_left_code_row_signs;
+        transform_left_code_earlier_1 <= transform_left_code_earlier_0;
+        transform_right_code_earlier_0 <= transform_right_code_row_signs;
+        transform_right_code_earlier_1 <= transform_right_code_earlier_0;
+      end if;
+      if transform_filtering_2_valid then
+        transform_left_code_next_row_earlier_0_0_0 <= transform_left_code_next_column_response_0;
+        transform_left_code_next_row_earlier_0_1_0 <= transform_left_code_next_column_response_1;
+        transform_left_code_next_row_earlier_0_2_0 <= transform_left_code_next_column_response_2;
+        transform_right_code_next_row_earlier_0_0_0 <= transform_right_code_next_column_response_0;
+        transform_right_code_next_row_earlier_0_1_0 <= transform_right_code_next_column_response_1;
+        transform_right_code_next_row_earlier_0_2_0 <= transform_right_code_next_column_response_2;
+      end if;
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 39;
+      raster_place_group_choice := raster_place_group_is_equal and transform_filtering_7_valid and (not
+        ((raster_place_group mod 2) = 1)) when (raster_place_group / 2) = 10 else raster_place_group_is_equal and
+        transform_filtering_7_valid;
+      raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
+      raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
+      raster_features_valid <= transform_filtering_7_valid;
+      raster_place_group <= 0 when transform_filtering_7_valid and transform_filtering_7_start_of_frame else
+        (raster_place_group + as_number(raster_place_group_choice)) mod 32;
+      raster_place_column_is_equal := (raster_place_column mod 4) = 3;
+      raster_place_column_choice := transform_filtering_7_start_of_frame or raster_place_column_is_equal when
+        (raster_place_column / 4) = 9 else transform_filtering_7_start_of_frame;
+      if transform_filtering_7_valid then
+        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 64;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 11 else (delay_ring_read_address + 1) mod 16;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_tag_first_cost_is_equal := raster_place_column = 11;
+      delay_ahead_0 <= raster_features_search_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= (raster_place_group >= 7) and (raster_place_group < 25);
+      delay_row_inside_1 <= (not ((raster_place_group / 16) = 1)) or (((raster_place_group / 2) mod 8) = 0);
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_row_start <= raster_place_column = 0;
+      delay_tag_first_group <= raster_place_group = 0;
+      delay_tag_border_column <= (not ((((raster_place_column / 8) mod 2) = 1) and ((((raster_place_column / 4) mod 2)
+        = 1) or raster_place_column_is_equal))) and ((raster_place_column / 16) = 0);
+      delay_tag_first_cost <= delay_tag_first_cost_is_equal;
+      delay_tag_leaves_window <= (((((raster_place_column / 2) + 32759) mod 32768) * 2) + (raster_place_column mod 2))
+        < 65521;
+      delay_tag_output_column <= (raster_place_group >= 3) and (raster_place_group < 21) and (raster_place_column >=
+        11) and (raster_place_column < 39);
+      delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
+      delay_tag_end_of_line <= raster_place_column = 38;
+      -- rows
+      rows_search_rows_read_newest_0 <= delay_ahead_0;
+      rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
+      rows_search_rows_ready_words_1 <= to_integer(rows_search_rows_read_words_1);
+      rows_search_rows_ready_words_2 <= to_integer(rows_search_rows_read_words_2);
+      rows_search_rows_ready_words_3 <= to_integer(rows_search_rows_read_words_3);
+      rows_search_rows_ready_newest_0 <= rows_search_rows_read_newest_0;
+      rows_reference_rows_read_newest_0 <= to_integer(delay_delayed_0);
+      rows_reference_rows_ready_words_0 <= to_integer(rows_reference_rows_read_words_0);
+      rows_reference_rows_ready_words_1 <= to_integer(rows_reference_rows_read_words_1);
+      rows_reference_rows_ready_words_2 <= to_integer(rows_reference_rows_read_words_2);
+      rows_reference_rows_ready_words_3 <= to_integer(rows_reference_rows_read_words_3);
+      rows_reference_rows_ready_newest_0 <= rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_1 <= delay_row_inside_1;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_row_start <= delay_tag_row_start;
+      rows_read_tag_first_group <= delay_tag_first_group;
+      rows_read_tag_border_column <= delay_tag_border_column;
+      rows_read_tag_first_cost <= delay_tag_first_cost;
+      rows_read_tag_leaves_window <= delay_tag_leaves_window;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_1 <= rows_read_inside_1;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_row_start <= rows_read_tag_row_start;
+      rows_ready_tag_first_group <= rows_read_tag_first_group;
+      rows_ready_tag_border_column <= rows_read_tag_border_column;
+      rows_ready_tag_first_cost <= rows_read_tag_first_cost;
+      rows_ready_tag_leaves_window <= rows_read_tag_leaves_window;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
+      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
+      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_row_start <= rows_ready_tag_row_start;
+      rows_tag_first_group <= rows_ready_tag_first_group;
+      rows_tag_border_column <= rows_ready_tag_border_column;
+      rows_tag_first_cost <= rows_ready_tag_first_cost;
+      rows_tag_leaves_window <= rows_ready_tag_leaves_window;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
+          mod 4096) * 4096);
+        rows_search_rows_write_words_1 <= (rows_search_rows_ready_words_1 / 4096) + ((rows_search_rows_ready_words_2
+          mod 4096) * 4096);
+        rows_search_rows_write_words_2 <= (rows_search_rows_ready_words_2 / 4096) + (rows_search_rows_ready_words_3 *
+          4096);
+        rows_search_rows_write_words_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_rows_write_words_0 <= (rows_reference_rows_ready_words_0 / 4096) +
+          ((rows_reference_rows_ready_words_1 mod 4096) * 4096);
+        rows_reference_rows_write_words_1 <= (rows_reference_rows_ready_words_1 / 4096) +
+          ((rows_reference_rows_ready_words_2 mod 4096) * 4096);
+        rows_reference_rows_write_words_2 <= (rows_reference_rows_ready_words_2 / 4096) +
+          (rows_reference_rows_ready_words_3 * 4096);
+        rows_reference_rows_write_words_3 <= rows_reference_rows_ready_newest_0;
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= slice0shift_search_0_1;
+        slice0shift_search_0_1 <= slice0shift_search_0_2;
+        slice0shift_search_0_2 <= slice0shift_search_0_3;
+        slice0shift_search_0_3 <= slice0shift_search_0_4;
+        slice0shift_search_0_4 <= slice0shift_search_0_5;
+        slice0shift_search_0_5 <= rows_search_0;
+        slice0shift_search_1_0 <= slice0shift_search_1_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_2;
+        slice0shift_search_1_2 <= slice0shift_search_1_3;
+        slice0shift_search_1_3 <= slice0shift_search_1_4;
+        slice0shift_search_1_4 <= slice0shift_search_1_5;
+        slice0shift_search_1_5 <= rows_search_1;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_search_out_0 <= slice0shift_search_0_0;
+      slice0shift_search_out_1 <= slice0shift_search_1_0;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_row_start <= rows_tag_row_start;
+      slice0shift_tag_first_group <= rows_tag_first_group;
+      slice0shift_tag_border_column <= rows_tag_border_column;
+      slice0shift_tag_first_cost <= rows_tag_first_cost;
+      slice0shift_tag_leaves_window <= rows_tag_leaves_window;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pixels_first_0_0_value := ((slice0shift_reference_0 / 8) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_2 := ((slice0shift_reference_0 / 32) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_3 := ((slice0shift_reference_0 / 16) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_4 := ((slice0shift_reference_0 / 4) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_5 := ((slice0shift_reference_0 / 2) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_6 := ((slice0shift_reference_0 / 64) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_7 := ((slice0shift_reference_0 / 256) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_8 := ((slice0shift_reference_0 / 128) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_9 := ((slice0shift_reference_0 / 512) mod 2) = 1;
+      slice0cost_pixels_first_0_0_value_10 := ((slice0shift_reference_0 / 1024) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value := ((slice0shift_reference_1 / 8) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_2 := ((slice0shift_reference_1 / 32) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_3 := ((slice0shift_reference_1 / 16) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_4 := ((slice0shift_reference_1 / 4) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_5 := ((slice0shift_reference_1 / 2) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_6 := ((slice0shift_reference_1 / 64) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_7 := ((slice0shift_reference_1 / 256) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
+      slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
+      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 128;
+      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
+        slice0cost_column_0_0_choice) mod 128;
+      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 128) mod
+        128;
+      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
+        slice0cost_column_0_1_choice) mod 128;
+      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 16384)
+        mod 128;
+      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
+        slice0cost_column_0_2_choice) mod 128;
+      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 2097152;
+      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_3_choice +
+        slice0cost_change_0_3) mod 128;
+      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 128;
+      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
+        slice0cost_column_0_4_choice) mod 128;
+      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 128;
+      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_5_choice +
+        slice0cost_change_0_5) mod 128;
+      slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_0_0_value_3 /= (((slice0shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_0 mod 2) = 1) /= ((slice0shift_search_0_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_4 /= (((slice0shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_5 /= (((slice0shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_0_0_value_6 /= (((slice0shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_7 /= (((slice0shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_8 /= (((slice0shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_0_0_value_9 /= (((slice0shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_0 / 2048) = 1) /= ((slice0shift_search_0_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_0_0_value_10 /= (((slice0shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_0_1 <= ((as_number(((((slice0shift_search_0_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_1 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_1 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_2 <= ((as_number(((((slice0shift_search_0_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_2 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_2 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_3 <= ((as_number(((((slice0shift_search_0_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_3 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_3 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_4 <= ((as_number(((((slice0shift_search_0_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_4 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_4 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_0_5 <= ((as_number(((((slice0shift_search_0_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value)) + as_number(((((slice0shift_search_0_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_2)) + as_number(((((slice0shift_search_0_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice0shift_search_0_5 mod 2) = 1) /=
+        ((slice0shift_reference_0 mod 2) = 1))) + as_number(((((slice0shift_search_0_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_4)) + as_number(((((slice0shift_search_0_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_5)) + ((as_number(((((slice0shift_search_0_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_6)) + as_number(((((slice0shift_search_0_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_7)) + as_number(((((slice0shift_search_0_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice0shift_search_0_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_9)) + as_number((((slice0shift_search_0_5 / 2048) = 1) /=
+        ((slice0shift_reference_0 / 2048) = 1))) + as_number(((((slice0shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_0_0_value_10))) * 64);
+      slice0cost_pixels_first_1_0 <= ((as_number((slice0cost_pixels_first_1_0_value /= (((slice0shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice0cost_pixels_first_1_0_value_2 /= (((slice0shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice0cost_pixels_first_1_0_value_3 /= (((slice0shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice0shift_reference_1 mod 2) = 1) /= ((slice0shift_search_1_0 mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_4 /= (((slice0shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_5 /= (((slice0shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice0cost_pixels_first_1_0_value_6 /= (((slice0shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_7 /= (((slice0shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_8 /= (((slice0shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice0cost_pixels_first_1_0_value_9 /= (((slice0shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice0shift_reference_1 / 2048) = 1) /= ((slice0shift_search_1_0 / 2048) = 1))) +
+        as_number((slice0cost_pixels_first_1_0_value_10 /= (((slice0shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice0cost_pixels_first_1_1 <= ((as_number(((((slice0shift_search_1_1 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_1 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_1 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_1 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_1 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_1 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_1 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_1 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_1 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_1 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_1 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_2 <= ((as_number(((((slice0shift_search_1_2 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_2 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_2 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_2 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_2 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_2 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_2 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_2 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_2 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_2 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_2 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_3 <= ((as_number(((((slice0shift_search_1_3 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_3 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_3 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_3 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_3 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_3 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_3 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_3 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_3 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_3 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_3 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_4 <= ((as_number(((((slice0shift_search_1_4 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_4 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_4 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_4 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_4 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_4 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_4 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_4 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_4 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_4 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_4 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_1_5 <= ((as_number(((((slice0shift_search_1_5 / 8) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value)) + as_number(((((slice0shift_search_1_5 / 32) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_2)) + as_number(((((slice0shift_search_1_5 / 16) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice0shift_search_1_5 mod 2) = 1) /=
+        ((slice0shift_reference_1 mod 2) = 1))) + as_number(((((slice0shift_search_1_5 / 4) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_4)) + as_number(((((slice0shift_search_1_5 / 2) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_5)) + ((as_number(((((slice0shift_search_1_5 / 64) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_6)) + as_number(((((slice0shift_search_1_5 / 256) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_7)) + as_number(((((slice0shift_search_1_5 / 128) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice0shift_search_1_5 / 512) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_9)) + as_number((((slice0shift_search_1_5 / 2048) = 1) /=
+        ((slice0shift_reference_1 / 2048) = 1))) + as_number(((((slice0shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice0cost_pixels_first_1_0_value_10))) * 64);
+      slice0cost_pixels_first_tag_valid <= slice0shift_tag_valid;
+      slice0cost_pixels_first_tag_row_start <= slice0shift_tag_row_start;
+      slice0cost_pixels_first_tag_first_group <= slice0shift_tag_first_group;
+      slice0cost_pixels_first_tag_border_column <= slice0shift_tag_border_column;
+      slice0cost_pixels_first_tag_first_cost <= slice0shift_tag_first_cost;
+      slice0cost_pixels_first_tag_leaves_window <= slice0shift_tag_leaves_window;
+      slice0cost_pixels_first_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_pixels_first_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_pixels_first_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pixels_cost_0_0 <= (((slice0cost_pixels_first_0_0 mod 4) + (((slice0cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_0 / 16) mod 4) + (slice0cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_0 / 16) + (slice0cost_pixels_first_0_0 / 64)) mod 2);
+      slice0cost_pixels_cost_0_1 <= (((slice0cost_pixels_first_0_1 mod 4) + (((slice0cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_1 / 16) mod 4) + (slice0cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_1 / 16) + (slice0cost_pixels_first_0_1 / 64)) mod 2);
+      slice0cost_pixels_cost_0_2 <= (((slice0cost_pixels_first_0_2 mod 4) + (((slice0cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_2 / 16) mod 4) + (slice0cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_2 / 16) + (slice0cost_pixels_first_0_2 / 64)) mod 2);
+      slice0cost_pixels_cost_0_3 <= (((slice0cost_pixels_first_0_3 mod 4) + (((slice0cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_3 / 16) mod 4) + (slice0cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_3 / 16) + (slice0cost_pixels_first_0_3 / 64)) mod 2);
+      slice0cost_pixels_cost_0_4 <= (((slice0cost_pixels_first_0_4 mod 4) + (((slice0cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_4 / 16) mod 4) + (slice0cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_4 / 16) + (slice0cost_pixels_first_0_4 / 64)) mod 2);
+      slice0cost_pixels_cost_0_5 <= (((slice0cost_pixels_first_0_5 mod 4) + (((slice0cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_0_5 / 16) mod 4) + (slice0cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_0_5 / 16) + (slice0cost_pixels_first_0_5 / 64)) mod 2);
+      slice0cost_pixels_cost_1_0 <= (((slice0cost_pixels_first_1_0 mod 4) + (((slice0cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_0 / 16) mod 4) + (slice0cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_0 / 16) + (slice0cost_pixels_first_1_0 / 64)) mod 2);
+      slice0cost_pixels_cost_1_1 <= (((slice0cost_pixels_first_1_1 mod 4) + (((slice0cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_1 / 16) mod 4) + (slice0cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_1 / 16) + (slice0cost_pixels_first_1_1 / 64)) mod 2);
+      slice0cost_pixels_cost_1_2 <= (((slice0cost_pixels_first_1_2 mod 4) + (((slice0cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_2 / 16) mod 4) + (slice0cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_2 / 16) + (slice0cost_pixels_first_1_2 / 64)) mod 2);
+      slice0cost_pixels_cost_1_3 <= (((slice0cost_pixels_first_1_3 mod 4) + (((slice0cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_3 / 16) mod 4) + (slice0cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_3 / 16) + (slice0cost_pixels_first_1_3 / 64)) mod 2);
+      slice0cost_pixels_cost_1_4 <= (((slice0cost_pixels_first_1_4 mod 4) + (((slice0cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_4 / 16) mod 4) + (slice0cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_4 / 16) + (slice0cost_pixels_first_1_4 / 64)) mod 2);
+      slice0cost_pixels_cost_1_5 <= (((slice0cost_pixels_first_1_5 mod 4) + (((slice0cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice0cost_pixels_first_1_5 / 16) mod 4) + (slice0cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice0cost_pixels_first_1_5 / 16) + (slice0cost_pixels_first_1_5 / 64)) mod 2);
+      slice0cost_pixels_tag_valid <= slice0cost_pixels_first_tag_valid;
+      slice0cost_pixels_tag_first_group <= slice0cost_pixels_first_tag_first_group;
+      slice0cost_pixels_tag_border_column <= slice0cost_pixels_first_tag_border_column;
+      slice0cost_pixels_tag_first_cost <= slice0cost_pixels_first_tag_first_cost;
+      slice0cost_pixels_tag_leaves_window <= slice0cost_pixels_first_tag_leaves_window;
+      slice0cost_pixels_tag_output_column <= slice0cost_pixels_first_tag_output_column;
+      slice0cost_pixels_tag_start_of_frame <= slice0cost_pixels_first_tag_start_of_frame;
+      slice0cost_pixels_tag_end_of_line <= slice0cost_pixels_first_tag_end_of_line;
+      slice0cost_change_0_0 <= slice0cost_pixels_cost_1_0 - slice0cost_pixels_cost_0_0;
+      slice0cost_change_0_1 <= slice0cost_pixels_cost_1_1 - slice0cost_pixels_cost_0_1;
+      slice0cost_change_0_2 <= slice0cost_pixels_cost_1_2 - slice0cost_pixels_cost_0_2;
+      slice0cost_change_0_3 <= slice0cost_pixels_cost_1_3 - slice0cost_pixels_cost_0_3;
+      slice0cost_change_0_4 <= slice0cost_pixels_cost_1_4 - slice0cost_pixels_cost_0_4;
+      slice0cost_change_0_5 <= slice0cost_pixels_cost_1_5 - slice0cost_pixels_cost_0_5;
+      slice0cost_ready_words_0 <= to_integer(slice0cost_read_words_0);
+      slice0cost_ready_words_1 <= to_integer(slice0cost_read_words_1);
+      slice0cost_ready_column <= slice0cost_change_column;
+      slice0cost_ready_tag_valid <= slice0cost_pixels_tag_valid;
+      slice0cost_ready_tag_first_group <= slice0cost_pixels_tag_first_group;
+      slice0cost_ready_tag_border_column <= slice0cost_pixels_tag_border_column;
+      slice0cost_ready_tag_first_cost <= slice0cost_pixels_tag_first_cost;
+      slice0cost_ready_tag_leaves_window <= slice0cost_pixels_tag_leaves_window;
+      slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
+      slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
+      slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
+      slice0cost_column_0_0 <= slice0cost_column_0_0_choice_2;
+      slice0cost_column_0_1 <= slice0cost_column_0_1_choice_2;
+      slice0cost_column_0_2 <= slice0cost_column_0_2_choice_2;
+      slice0cost_column_0_3 <= slice0cost_column_0_3_choice_2;
+      slice0cost_column_0_4 <= slice0cost_column_0_4_choice_2;
+      slice0cost_column_0_5 <= slice0cost_column_0_5_choice_2;
+      slice0cost_write_column <= slice0cost_ready_column;
+      slice0cost_tag_valid <= slice0cost_ready_tag_valid;
+      slice0cost_tag_first_group <= slice0cost_ready_tag_first_group;
+      slice0cost_tag_border_column <= slice0cost_ready_tag_border_column;
+      slice0cost_tag_first_cost <= slice0cost_ready_tag_first_cost;
+      slice0cost_tag_leaves_window <= slice0cost_ready_tag_leaves_window;
+      slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
+      slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
+      if slice0shift_tag_valid then
+        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 64;
+      end if;
+      if slice0cost_pixels_first_tag_valid then
+        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
+          mod 64;
+      end if;
+      if slice0cost_ready_tag_valid then
+        slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 128) + slice0cost_column_0_0_choice_2 +
+          (slice0cost_column_0_2_choice_2 * 16384) + (slice0cost_column_0_3_choice_2 * 2097152);
+        slice0cost_write_words_1 <= (slice0cost_column_0_5_choice_2 * 128) + slice0cost_column_0_4_choice_2;
+      end if;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 7 else
+          (slice0window_ring_read_address + 1) mod 8;
+        slice0window_ring_write_address <= slice0window_ring_read_address;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(6 downto 0));
+      else
+        slice0window_change_0_0_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_1_choice := to_integer(slice0window_leaving_0(13 downto 7));
+      else
+        slice0window_change_0_1_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_2_choice := to_integer(slice0window_leaving_0(20 downto 14));
+      else
+        slice0window_change_0_2_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_3_choice := to_integer(slice0window_leaving_0(27 downto 21));
+      else
+        slice0window_change_0_3_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_4_choice := to_integer(slice0window_leaving_1(6 downto 0));
+      else
+        slice0window_change_0_4_choice := 0;
+      end if;
+      if slice0window_entering_tag_leaves_window then
+        slice0window_change_0_5_choice := to_integer(slice0window_leaving_1(13 downto 7));
+      else
+        slice0window_change_0_5_choice := 0;
+      end if;
+      slice0window_entering_0_0 <= slice0cost_column_0_0;
+      slice0window_entering_0_1 <= slice0cost_column_0_1;
+      slice0window_entering_0_2 <= slice0cost_column_0_2;
+      slice0window_entering_0_3 <= slice0cost_column_0_3;
+      slice0window_entering_0_4 <= slice0cost_column_0_4;
+      slice0window_entering_0_5 <= slice0cost_column_0_5;
+      slice0window_entering_tag_valid <= slice0cost_tag_valid;
+      slice0window_entering_tag_first_cost <= slice0cost_tag_first_cost;
+      slice0window_entering_tag_leaves_window <= slice0cost_tag_leaves_window;
+      slice0window_entering_tag_output_column <= slice0cost_tag_output_column;
+      slice0window_entering_tag_start_of_frame <= slice0cost_tag_start_of_frame;
+      slice0window_entering_tag_end_of_line <= slice0cost_tag_end_of_line;
+      slice0window_change_0_0 <= slice0window_entering_0_0 - slice0window_change_0_0_choice;
+      slice0window_change_0_1 <= slice0window_entering_0_1 - slice0window_change_0_1_choice;
+      slice0window_change_0_2 <= slice0window_entering_0_2 - slice0window_change_0_2_choice;
+      slice0window_change_0_3 <= slice0window_entering_0_3 - slice0window_change_0_3_choice;
+      slice0window_change_0_4 <= slice0window_entering_0_4 - slice0window_change_0_4_choice;
+      slice0window_change_0_5 <= slice0window_entering_0_5 - slice0window_change_0_5_choice;
+      slice0window_change_tag_valid <= slice0window_entering_tag_valid;
+      slice0window_change_tag_first_cost <= slice0window_entering_tag_first_cost;
+      slice0window_change_tag_leaves_window <= slice0window_entering_tag_leaves_window;
+      slice0window_change_tag_output_column <= slice0window_entering_tag_output_column;
+      slice0window_change_tag_start_of_frame <= slice0window_entering_tag_start_of_frame;
+      slice0window_change_tag_end_of_line <= slice0window_entering_tag_end_of_line;
+      slice0window_centre_output_column_0 <= slice0window_change_tag_output_column;
+      slice0window_centre_first_column_0 <= slice0window_change_tag_first_cost;
+      slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
+      slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
+      slice0window_tag_valid <= slice0window_change_tag_valid;
+      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
+      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
+      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
+      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
+      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
+      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
+      if slice0window_change_tag_valid then
+        slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 1024;
+        slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 1024;
+        slice0window_sum_0_2 <= (slice0window_sum_0_2_choice + slice0window_change_0_2) mod 1024;
+        slice0window_sum_0_3 <= (slice0window_sum_0_3_choice + slice0window_change_0_3) mod 1024;
+        slice0window_sum_0_4 <= (slice0window_sum_0_4_choice + slice0window_change_0_4) mod 1024;
+        slice0window_sum_0_5 <= (slice0window_sum_0_5_choice + slice0window_change_0_5) mod 1024;
+      end if;
+      if slice0window_tag_valid then
+        slice0window_tag_output_column <= slice1window_centre_output_column_1;
+        slice0window_tag_start_of_frame <= slice1window_centre_start_of_frame_1;
+        slice0window_tag_end_of_line <= slice1window_centre_end_of_line_1;
+      end if;
+      -- slice0winner1
+      slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
+      slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
+      slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
+      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
+        slice0window_sum_0_0;
+      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
+        slice0window_sum_0_2;
+      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
+        slice0window_sum_0_4;
+      slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
+      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
+      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
+      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
+      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
+      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
+      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
+      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
+      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
+      slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
+      slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
+      slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
+      slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
+      slice0winner1_best_last_0_1 <= slice0window_sum_0_3;
+      slice0winner1_tag_valid <= slice0window_tag_valid;
+      slice0winner1_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      -- slice0winner2
+      slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
+      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
+        slice0winner1_best_below_0_1;
+      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
+        slice0winner1_best_above_0_0;
+      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_cost_0_0;
+      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
+        as_number(slice0winner1_best_index_0_0);
+      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
+        slice0winner1_best_below_0_0;
+      slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
+        slice0winner2_best_above_0_0_choice;
+      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
+      slice0winner2_best_first_0_0 <= slice0winner1_best_first_0_0;
+      slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
+      slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
+      slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
+      slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice0winner3
+      slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
+      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
+      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
+        slice0winner2_best_above_0_0;
+      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_cost_0_0;
+      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_index_0_0;
+      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
+        slice0winner2_best_below_0_0;
+      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
+        slice0winner3_best_above_0_0_choice;
+      slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
+      slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
+      slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      slice0_best_index_0_0 <= (((slice0winner3_best_index_0_0 / 2) + 3) * 2) + (slice0winner3_best_index_0_0 mod 2);
+      slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
+      slice0_best_above_0_0 <= slice0winner3_best_above_0_0;
+      slice0_best_first_0_0 <= slice0winner3_best_first_0_0;
+      slice0_best_tag_valid <= slice0winner3_tag_valid;
+      slice0_best_tag_output_column <= slice0winner3_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice1shift_search_0_1;
+        slice1shift_search_0_1 <= slice1shift_search_0_2;
+        slice1shift_search_0_2 <= slice1shift_search_0_3;
+        slice1shift_search_0_3 <= slice1shift_search_0_4;
+        slice1shift_search_0_4 <= slice1shift_search_0_5;
+        slice1shift_search_0_5 <= slice0shift_search_out_0;
+        slice1shift_search_1_0 <= slice1shift_search_1_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_2;
+        slice1shift_search_1_2 <= slice1shift_search_1_3;
+        slice1shift_search_1_3 <= slice1shift_search_1_4;
+        slice1shift_search_1_4 <= slice1shift_search_1_5;
+        slice1shift_search_1_5 <= slice0shift_search_out_1;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      -- slice1cost
+      slice1cost_pixels_first_0_0_value := ((slice1shift_reference_0 / 8) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_2 := ((slice1shift_reference_0 / 32) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_3 := ((slice1shift_reference_0 / 16) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_4 := ((slice1shift_reference_0 / 4) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_5 := ((slice1shift_reference_0 / 2) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_6 := ((slice1shift_reference_0 / 64) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_7 := ((slice1shift_reference_0 / 256) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_8 := ((slice1shift_reference_0 / 128) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_9 := ((slice1shift_reference_0 / 512) mod 2) = 1;
+      slice1cost_pixels_first_0_0_value_10 := ((slice1shift_reference_0 / 1024) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value := ((slice1shift_reference_1 / 8) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_2 := ((slice1shift_reference_1 / 32) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_3 := ((slice1shift_reference_1 / 16) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_4 := ((slice1shift_reference_1 / 4) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_5 := ((slice1shift_reference_1 / 2) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_6 := ((slice1shift_reference_1 / 64) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_7 := ((slice1shift_reference_1 / 256) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
+      slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
+      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 128;
+      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
+        slice1cost_column_0_0_choice) mod 128;
+      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 128) mod 128;
+      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
+        slice1cost_column_0_1_choice) mod 128;
+      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 16384) mod 128;
+      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
+        slice1cost_column_0_2_choice) mod 128;
+      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 2097152;
+      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_3_choice +
+        slice1cost_change_0_3) mod 128;
+      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 128;
+      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
+        slice1cost_column_0_4_choice) mod 128;
+      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 128;
+      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_5_choice +
+        slice1cost_change_0_5) mod 128;
+      slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_0_0_value_3 /= (((slice1shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_0 mod 2) = 1) /= ((slice1shift_search_0_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_4 /= (((slice1shift_search_0_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_5 /= (((slice1shift_search_0_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_0_0_value_6 /= (((slice1shift_search_0_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_7 /= (((slice1shift_search_0_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_8 /= (((slice1shift_search_0_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_0_0_value_9 /= (((slice1shift_search_0_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_0 / 2048) = 1) /= ((slice1shift_search_0_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_0_0_value_10 /= (((slice1shift_search_0_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_0_1 <= ((as_number(((((slice1shift_search_0_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_1 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_1 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_2 <= ((as_number(((((slice1shift_search_0_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_2 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_2 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_3 <= ((as_number(((((slice1shift_search_0_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_3 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_3 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_4 <= ((as_number(((((slice1shift_search_0_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_4 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_4 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_0_5 <= ((as_number(((((slice1shift_search_0_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value)) + as_number(((((slice1shift_search_0_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_2)) + as_number(((((slice1shift_search_0_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_3))) * 4) + as_number((((slice1shift_search_0_5 mod 2) = 1) /=
+        ((slice1shift_reference_0 mod 2) = 1))) + as_number(((((slice1shift_search_0_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_4)) + as_number(((((slice1shift_search_0_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_5)) + ((as_number(((((slice1shift_search_0_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_6)) + as_number(((((slice1shift_search_0_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_7)) + as_number(((((slice1shift_search_0_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_8))) * 16) + ((as_number(((((slice1shift_search_0_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_9)) + as_number((((slice1shift_search_0_5 / 2048) = 1) /=
+        ((slice1shift_reference_0 / 2048) = 1))) + as_number(((((slice1shift_search_0_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_0_0_value_10))) * 64);
+      slice1cost_pixels_first_1_0 <= ((as_number((slice1cost_pixels_first_1_0_value /= (((slice1shift_search_1_0 / 8)
+        mod 2) = 1))) + as_number((slice1cost_pixels_first_1_0_value_2 /= (((slice1shift_search_1_0 / 32) mod 2) = 1)))
+        + as_number((slice1cost_pixels_first_1_0_value_3 /= (((slice1shift_search_1_0 / 16) mod 2) = 1)))) * 4) +
+        as_number((((slice1shift_reference_1 mod 2) = 1) /= ((slice1shift_search_1_0 mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_4 /= (((slice1shift_search_1_0 / 4) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_5 /= (((slice1shift_search_1_0 / 2) mod 2) = 1))) +
+        ((as_number((slice1cost_pixels_first_1_0_value_6 /= (((slice1shift_search_1_0 / 64) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_7 /= (((slice1shift_search_1_0 / 256) mod 2) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_8 /= (((slice1shift_search_1_0 / 128) mod 2) = 1)))) * 16) +
+        ((as_number((slice1cost_pixels_first_1_0_value_9 /= (((slice1shift_search_1_0 / 512) mod 2) = 1))) +
+        as_number((((slice1shift_reference_1 / 2048) = 1) /= ((slice1shift_search_1_0 / 2048) = 1))) +
+        as_number((slice1cost_pixels_first_1_0_value_10 /= (((slice1shift_search_1_0 / 1024) mod 2) = 1)))) * 64);
+      slice1cost_pixels_first_1_1 <= ((as_number(((((slice1shift_search_1_1 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_1 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_1 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_1 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_1 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_1 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_1 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_1 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_1 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_1 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_1 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_1 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_2 <= ((as_number(((((slice1shift_search_1_2 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_2 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_2 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_2 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_2 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_2 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_2 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_2 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_2 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_2 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_2 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_2 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_3 <= ((as_number(((((slice1shift_search_1_3 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_3 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_3 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_3 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_3 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_3 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_3 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_3 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_3 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_3 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_3 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_3 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_4 <= ((as_number(((((slice1shift_search_1_4 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_4 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_4 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_4 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_4 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_4 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_4 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_4 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_4 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_4 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_4 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_4 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_first_1_5 <= ((as_number(((((slice1shift_search_1_5 / 8) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value)) + as_number(((((slice1shift_search_1_5 / 32) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_2)) + as_number(((((slice1shift_search_1_5 / 16) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_3))) * 4) + as_number((((slice1shift_search_1_5 mod 2) = 1) /=
+        ((slice1shift_reference_1 mod 2) = 1))) + as_number(((((slice1shift_search_1_5 / 4) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_4)) + as_number(((((slice1shift_search_1_5 / 2) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_5)) + ((as_number(((((slice1shift_search_1_5 / 64) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_6)) + as_number(((((slice1shift_search_1_5 / 256) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_7)) + as_number(((((slice1shift_search_1_5 / 128) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_8))) * 16) + ((as_number(((((slice1shift_search_1_5 / 512) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_9)) + as_number((((slice1shift_search_1_5 / 2048) = 1) /=
+        ((slice1shift_reference_1 / 2048) = 1))) + as_number(((((slice1shift_search_1_5 / 1024) mod 2) = 1) /=
+        slice1cost_pixels_first_1_0_value_10))) * 64);
+      slice1cost_pixels_cost_0_0 <= (((slice1cost_pixels_first_0_0 mod 4) + (((slice1cost_pixels_first_0_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_0 / 16) mod 4) + (slice1cost_pixels_first_0_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_0 / 16) + (slice1cost_pixels_first_0_0 / 64)) mod 2);
+      slice1cost_pixels_cost_0_1 <= (((slice1cost_pixels_first_0_1 mod 4) + (((slice1cost_pixels_first_0_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_1 / 16) mod 4) + (slice1cost_pixels_first_0_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_1 / 16) + (slice1cost_pixels_first_0_1 / 64)) mod 2);
+      slice1cost_pixels_cost_0_2 <= (((slice1cost_pixels_first_0_2 mod 4) + (((slice1cost_pixels_first_0_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_2 / 16) mod 4) + (slice1cost_pixels_first_0_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_2 / 16) + (slice1cost_pixels_first_0_2 / 64)) mod 2);
+      slice1cost_pixels_cost_0_3 <= (((slice1cost_pixels_first_0_3 mod 4) + (((slice1cost_pixels_first_0_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_3 / 16) mod 4) + (slice1cost_pixels_first_0_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_3 / 16) + (slice1cost_pixels_first_0_3 / 64)) mod 2);
+      slice1cost_pixels_cost_0_4 <= (((slice1cost_pixels_first_0_4 mod 4) + (((slice1cost_pixels_first_0_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_4 / 16) mod 4) + (slice1cost_pixels_first_0_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_4 / 16) + (slice1cost_pixels_first_0_4 / 64)) mod 2);
+      slice1cost_pixels_cost_0_5 <= (((slice1cost_pixels_first_0_5 mod 4) + (((slice1cost_pixels_first_0_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_0_5 / 16) mod 4) + (slice1cost_pixels_first_0_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_0_5 / 16) + (slice1cost_pixels_first_0_5 / 64)) mod 2);
+      slice1cost_pixels_cost_1_0 <= (((slice1cost_pixels_first_1_0 mod 4) + (((slice1cost_pixels_first_1_0 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_0 / 16) mod 4) + (slice1cost_pixels_first_1_0 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_0 / 16) + (slice1cost_pixels_first_1_0 / 64)) mod 2);
+      slice1cost_pixels_cost_1_1 <= (((slice1cost_pixels_first_1_1 mod 4) + (((slice1cost_pixels_first_1_1 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_1 / 16) mod 4) + (slice1cost_pixels_first_1_1 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_1 / 16) + (slice1cost_pixels_first_1_1 / 64)) mod 2);
+      slice1cost_pixels_cost_1_2 <= (((slice1cost_pixels_first_1_2 mod 4) + (((slice1cost_pixels_first_1_2 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_2 / 16) mod 4) + (slice1cost_pixels_first_1_2 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_2 / 16) + (slice1cost_pixels_first_1_2 / 64)) mod 2);
+      slice1cost_pixels_cost_1_3 <= (((slice1cost_pixels_first_1_3 mod 4) + (((slice1cost_pixels_first_1_3 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_3 / 16) mod 4) + (slice1cost_pixels_first_1_3 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_3 / 16) + (slice1cost_pixels_first_1_3 / 64)) mod 2);
+      slice1cost_pixels_cost_1_4 <= (((slice1cost_pixels_first_1_4 mod 4) + (((slice1cost_pixels_first_1_4 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_4 / 16) mod 4) + (slice1cost_pixels_first_1_4 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_4 / 16) + (slice1cost_pixels_first_1_4 / 64)) mod 2);
+      slice1cost_pixels_cost_1_5 <= (((slice1cost_pixels_first_1_5 mod 4) + (((slice1cost_pixels_first_1_5 / 2) mod 8)
+        / 2) + ((((slice1cost_pixels_first_1_5 / 16) mod 4) + (slice1cost_pixels_first_1_5 / 64)) / 2)) * 2) +
+        (((slice1cost_pixels_first_1_5 / 16) + (slice1cost_pixels_first_1_5 / 64)) mod 2);
+      slice1cost_read_column <= slice0cost_read_column;
+      slice1cost_change_column <= slice1cost_read_column;
+      slice1cost_change_0_0 <= slice1cost_pixels_cost_1_0 - slice1cost_pixels_cost_0_0;
+      slice1cost_change_0_1 <= slice1cost_pixels_cost_1_1 - slice1cost_pixels_cost_0_1;
+      slice1cost_change_0_2 <= slice1cost_pixels_cost_1_2 - slice1cost_pixels_cost_0_2;
+      slice1cost_change_0_3 <= slice1cost_pixels_cost_1_3 - slice1cost_pixels_cost_0_3;
+      slice1cost_change_0_4 <= slice1cost_pixels_cost_1_4 - slice1cost_pixels_cost_0_4;
+      slice1cost_change_0_5 <= slice1cost_pixels_cost_1_5 - slice1cost_pixels_cost_0_5;
+      slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
+      slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
+      slice1cost_column_0_0 <= slice1cost_column_0_0_choice_2;
+      slice1cost_column_0_1 <= slice1cost_column_0_1_choice_2;
+      slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
+      slice1cost_column_0_3 <= slice1cost_column_0_3_choice_2;
+      slice1cost_column_0_4 <= slice1cost_column_0_4_choice_2;
+      slice1cost_column_0_5 <= slice1cost_column_0_5_choice_2;
+      if slice0cost_ready_tag_valid then
+        slice1cost_ready_column <= slice1cost_change_column;
+      end if;
+      if slice0cost_tag_valid then
+        slice1cost_write_column <= slice0cost_write_column;
+        slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 128) + slice1cost_column_0_0_choice_2 +
+          (slice1cost_column_0_2_choice_2 * 16384) + (slice1cost_column_0_3_choice_2 * 2097152);
+        slice1cost_write_words_1 <= (slice1cost_column_0_5_choice_2 * 128) + slice1cost_column_0_4_choice_2;
+      end if;
+      -- slice1window
+      if slice0window_entering_tag_valid then
+        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 7 else
+          (slice1window_ring_read_address + 1) mod 8;
+        slice1window_ring_write_address <= slice1window_ring_read_address;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(6 downto 0));
+      else
+        slice1window_change_0_0_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_1_choice := to_integer(slice1window_leaving_0(13 downto 7));
+      else
+        slice1window_change_0_1_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_2_choice := to_integer(slice1window_leaving_0(20 downto 14));
+      else
+        slice1window_change_0_2_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_3_choice := to_integer(slice1window_leaving_0(27 downto 21));
+      else
+        slice1window_change_0_3_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_4_choice := to_integer(slice1window_leaving_1(6 downto 0));
+      else
+        slice1window_change_0_4_choice := 0;
+      end if;
+      if slice0window_change_tag_leaves_window then
+        slice1window_change_0_5_choice := to_integer(slice1window_leaving_1(13 downto 7));
+      else
+        slice1window_change_0_5_choice := 0;
+      end if;
+      slice1window_entering_0_0 <= slice1cost_column_0_0;
+      slice1window_entering_0_1 <= slice1cost_column_0_1;
+      slice1window_entering_0_2 <= slice1cost_column_0_2;
+      slice1window_entering_0_3 <= slice1cost_column_0_3;
+      slice1window_entering_0_4 <= slice1cost_column_0_4;
+      slice1window_entering_0_5 <= slice1cost_column_0_5;
+      slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
+      slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
+      slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
+      slice1window_change_0_3 <= slice1window_entering_0_3 - slice1window_change_0_3_choice;
+      slice1window_change_0_4 <= slice1window_entering_0_4 - slice1window_change_0_4_choice;
+      slice1window_change_0_5 <= slice1window_entering_0_5 - slice1window_change_0_5_choice;
+      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
+      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
+      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
+      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
+      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
+      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
+      if slice0window_tag_valid then
+        slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 1024;
+        slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 1024;
+        slice1window_sum_0_2 <= (slice1window_sum_0_2_choice + slice1window_change_0_2) mod 1024;
+        slice1window_sum_0_3 <= (slice1window_sum_0_3_choice + slice1window_change_0_3) mod 1024;
+        slice1window_sum_0_4 <= (slice1window_sum_0_4_choice + slice1window_change_0_4) mod 1024;
+        slice1window_sum_0_5 <= (slice1window_sum_0_5_choice + slice1window_change_0_5) mod 1024;
+        slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
+        slice1window_centre_output_column_1 <= slice1window_centre_output_column_0;
+        slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
+        slice1window_centre_start_of_frame_1 <= slice1window_centre_start_of_frame_0;
+        slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+        slice1window_centre_end_of_line_1 <= slice1window_centre_end_of_line_0;
+      end if;
+      -- slice1winner1
+      slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
+      slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
+      slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
+      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
+        slice1window_sum_0_0;
+      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
+        slice1window_sum_0_2;
+      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
+        slice1window_sum_0_4;
+      slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
+      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
+      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
+      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
+      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
+      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
+      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
+      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
+      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
+      slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
+      slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
+      slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
+      slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
+      slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
+      -- slice1winner2
+      slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
+      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
+        slice1winner1_best_below_0_1;
+      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
+        slice1winner1_best_above_0_0;
+      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_cost_0_0;
+      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
+        as_number(slice1winner1_best_index_0_0);
+      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
+        slice1winner1_best_below_0_0;
+      slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
+        slice1winner2_best_above_0_0_choice;
+      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
+      slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
+      slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
+      slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_2;
+      -- slice1winner3
+      slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
+      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
+        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner2_best_below_0_1;
+      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
+        slice1winner2_best_above_0_0;
+      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_cost_0_0;
+      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_index_0_0;
+      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
+        slice1winner2_best_below_0_0;
+      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
+        slice1winner3_best_above_0_0_choice;
+      slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
+      slice1_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice0_best_index_0_0 = 6 else
+        slice0_best_below_0_0;
+      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1winner3_best_index_0_0 = 5 else
+        slice1winner3_best_above_0_0;
+      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
+      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
+        slice1winner3_best_index_0_0;
+      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
+        slice1winner3_best_below_0_0;
+      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
+        slice1_best_above_0_0_choice;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- refinement
+      refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 2048) - refinement_divisor_0_0;
+      refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 2048) - refinement_divisor_1_0;
+      refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 2048) - refinement_divisor_2_0;
+      refinement_remainder_4_0_difference := ((refinement_remainder_3_0 * 2) + 2048) - refinement_divisor_3_0;
+      refinement_remainder_5_0_difference := ((refinement_remainder_4_0 * 2) + 2048) - refinement_divisor_4_0;
+      refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 2048) - refinement_divisor_5_0;
+      refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 2048) - refinement_divisor_6_0;
+      refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
+      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
+      refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice := refinement_fraction_0_difference mod 256;
+      else
+        refinement_fraction_0_choice := refinement_fraction_0_value;
+      end if;
+      if refinement_negative_8_0 then
+        refinement_fraction_0_choice_2 := refinement_fraction_0_difference mod 8;
+      else
+        refinement_fraction_0_choice_2 := refinement_fraction_0_value mod 8;
+      end if;
+      refinement_disparity_0_0 <= slice1_best_index_0_0;
+      refinement_disparity_1_0 <= refinement_disparity_0_0;
+      refinement_disparity_2_0 <= refinement_disparity_1_0;
+      refinement_disparity_3_0 <= refinement_disparity_2_0;
+      refinement_disparity_4_0 <= refinement_disparity_3_0;
+      refinement_disparity_5_0 <= refinement_disparity_4_0;
+      refinement_disparity_6_0 <= refinement_disparity_5_0;
+      refinement_disparity_7_0 <= refinement_disparity_6_0;
+      refinement_disparity_8_0 <= refinement_disparity_7_0;
+      refinement_disparity_9_0 <= refinement_disparity_8_0;
+      refinement_disparity_10_0 <= refinement_disparity_9_0;
+      refinement_disparity_11_0 <= refinement_disparity_10_0;
+      refinement_passed_0_0 <= true;
+      refinement_passed_1_0 <= refinement_passed_0_0;
+      refinement_passed_2_0 <= refinement_passed_1_0;
+      refinement_passed_3_0 <= refinement_passed_2_0;
+      refinement_passed_4_0 <= refinement_passed_3_0;
+      refinement_passed_5_0 <= refinement_passed_4_0;
+      refinement_passed_6_0 <= refinement_passed_5_0;
+      refinement_passed_7_0 <= refinement_passed_6_0;
+      refinement_passed_8_0 <= refinement_passed_7_0;
+      refinement_passed_9_0 <= refinement_passed_8_0;
+      refinement_passed_10_0 <= refinement_passed_9_0;
+      refinement_passed_11_0 <= refinement_passed_10_0;
+      refinement_tag_0_valid <= slice1_best_tag_valid;
+      refinement_tag_0_output_column <= slice1_best_tag_output_column;
+      refinement_tag_0_start_of_frame <= slice1_best_tag_start_of_frame;
+      refinement_tag_0_end_of_line <= slice1_best_tag_end_of_line;
+      refinement_tag_1_valid <= refinement_tag_0_valid;
+      refinement_tag_1_output_column <= refinement_tag_0_output_column;
+      refinement_tag_1_start_of_frame <= refinement_tag_0_start_of_frame;
+      refinement_tag_1_end_of_line <= refinement_tag_0_end_of_line;
+      refinement_tag_2_valid <= refinement_tag_1_valid;
+      refinement_tag_2_output_column <= refinement_tag_1_output_column;
+      refinement_tag_2_start_of_frame <= refinement_tag_1_start_of_frame;
+      refinement_tag_2_end_of_line <= refinement_tag_1_end_of_line;
+      refinement_tag_3_valid <= refinement_tag_2_valid;
+      refinement_tag_3_output_column <= refinement_tag_2_output_column;
+      refinement_tag_3_start_of_frame <= refinement_tag_2_start_of_frame;
+      refinement_tag_3_end_of_line <= refinement_tag_2_end_of_line;
+      refinement_tag_4_valid <= refinement_tag_3_valid;
+      refinement_tag_4_output_column <= refinement_tag_3_output_column;
+      refinement_tag_4_start_of_frame <= refinement_tag_3_start_of_frame;
+      refinement_tag_4_end_of_line <= refinement_tag_3_end_of_line;
+      refinement_tag_5_valid <= refinement_tag_4_valid;
+      refinement_tag_5_output_column <= refinement_tag_4_output_column;
+      refinement_tag_5_start_of_frame <= refinement_tag_4_start_of_frame;
+      refinement_tag_5_end_of_line <= refinement_tag_4_end_of_line;
+      refinement_tag_6_valid <= refinement_tag_5_valid;
+      refinement_tag_6_output_column <= refinement_tag_5_output_column;
+      refinement_tag_6_start_of_frame <= refinement_tag_5_start_of_frame;
+      refinement_tag_6_end_of_line <= refinement_tag_5_end_of_line;
+      refinement_tag_7_valid <= refinement_tag_6_valid;
+      refinement_tag_7_output_column <= refinement_tag_6_output_column;
+      refinement_tag_7_start_of_frame <= refinement_tag_6_start_of_frame;
+      refinement_tag_7_end_of_line <= refinement_tag_6_end_of_line;
+      refinement_tag_8_valid <= refinement_tag_7_valid;
+      refinement_tag_8_output_column <= refinement_tag_7_output_column;
+      refinement_tag_8_start_of_frame <= refinement_tag_7_start_of_frame;
+      refinement_tag_8_end_of_line <= refinement_tag_7_end_of_line;
+      refinement_tag_9_valid <= refinement_tag_8_valid;
+      refinement_tag_9_output_column <= refinement_tag_8_output_column;
+      refinement_tag_9_start_of_frame <= refinement_tag_8_start_of_frame;
+      refinement_tag_9_end_of_line <= refinement_tag_8_end_of_line;
+      refinement_tag_10_valid <= refinement_tag_9_valid;
+      refinement_tag_10_output_column <= refinement_tag_9_output_column;
+      refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
+      refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
+      refinement_tag_11_valid <= refinement_tag_10_valid;
+      refinement_tag_11_output_column <= refinement_tag_10_output_column;
+      refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
+      refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
+      refinement_cost_0 <= slice1_best_cost_0_0;
+      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
+      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 11 else slice1_best_above_0_0;
+      refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 1024;
+      refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 1024;
+      refinement_difference_0 <= refinement_above_0 - refinement_below_0;
+      refinement_remainder_0_0 <= magnitude(refinement_difference_0);
+      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
+        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
+      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
+        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
+      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
+        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
+      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
+        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
+      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
+        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
+      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
+        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
+      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
+        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
+      refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
+        (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
+      refinement_divisor_1_0 <= refinement_divisor_0_0;
+      refinement_divisor_2_0 <= refinement_divisor_1_0;
+      refinement_divisor_3_0 <= refinement_divisor_2_0;
+      refinement_divisor_4_0 <= refinement_divisor_3_0;
+      refinement_divisor_5_0 <= refinement_divisor_4_0;
+      refinement_divisor_6_0 <= refinement_divisor_5_0;
+      refinement_divisor_7_0 <= refinement_divisor_6_0;
+      refinement_quotient_8_0 <= (((((2048 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) * 2) / 2048) +
+        ((other_0 / 2) * 2);
+      refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
+      refinement_negative_1_0 <= refinement_negative_0_0;
+      refinement_negative_2_0 <= refinement_negative_1_0;
+      refinement_negative_3_0 <= refinement_negative_2_0;
+      refinement_negative_4_0 <= refinement_negative_3_0;
+      refinement_negative_5_0 <= refinement_negative_4_0;
+      refinement_negative_6_0 <= refinement_negative_5_0;
+      refinement_negative_7_0 <= refinement_negative_6_0;
+      refinement_negative_8_0 <= refinement_negative_7_0;
+      refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      -- map
+      map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
+        ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);
+      map_out_passed_0 <= refinement_passed_11_0;
+      map_out_valid <= refinement_tag_11_valid and refinement_tag_11_output_column;
+      map_out_start_of_frame <= refinement_tag_11_start_of_frame and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      map_out_end_of_line <= refinement_tag_11_end_of_line and refinement_tag_11_valid and
+        refinement_tag_11_output_column;
+      -- other
+      other_0 <= ((refinement_remainder_7_0_difference / 2048) * 2) + ((other_1 / 4) * 4);
+      other_1 <= ((refinement_remainder_6_0_difference / 2048) * 4) + ((other_2 / 8) * 8);
+      other_2 <= ((refinement_remainder_5_0_difference / 2048) * 8) + ((other_3 / 16) * 16);
+      other_3 <= ((refinement_remainder_4_0_difference / 2048) * 16) + ((other_4 / 32) * 32);
+      other_4 <= ((refinement_remainder_3_0_difference / 2048) * 32) + ((other_5 / 64) * 64);
+      other_5 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_6 / 128) * 128);
+      other_6 <= (refinement_remainder_1_0_difference / 2048) * 128;
+      other_7 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
+      other_8 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
+      other_9 <= as_number((((other_10 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
+      other_10 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
+      other_11 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
+      other_12 <= as_number(((transform_left_code_row_before_0 - transform_left_code_row_after_0) < 0)) * 8192;
+      other_13 <= as_number((((other_14 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
+      other_14 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
+      other_15 <= other_16;
+      other_16 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 4) and
+        (transform_counter_group = 4)));
+      if reset = '1' then
+        transform_valid <= false;
+        transform_counter_column <= 0;
+        transform_counter_group <= 22;
+        transform_counter_next_frame <= false;
+        transform_read_column <= 0;
+        transform_ready_column <= 0;
+        transform_write_column <= 0;
+        transform_columns_start_of_frame <= false;
+        transform_columns_valid <= false;
+        transform_filtering_0_start_of_frame <= false;
+        transform_filtering_0_valid <= false;
+        transform_filtering_1_start_of_frame <= false;
+        transform_filtering_1_valid <= false;
+        transform_filtering_2_start_of_frame <= false;
+        transform_filtering_2_valid <= false;
+        transform_filtering_3_start_of_frame <= false;
+        transform_filtering_3_valid <= false;
+        transform_filtering_4_start_of_frame <= false;
+        transform_filtering_4_valid <= false;
+        transform_filtering_5_start_of_frame <= false;
+        transform_filtering_5_valid <= false;
+        transform_filtering_6_start_of_frame <= false;
+        transform_filtering_6_valid <= false;
+        transform_filtering_7_start_of_frame <= false;
+        transform_filtering_7_valid <= false;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 21;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_column <= 0;
+        delay_tag_valid <= false;
+        delay_tag_row_start <= false;
+        delay_tag_output_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        rows_read_column <= 0;
+        rows_read_tag_valid <= false;
+        rows_read_tag_row_start <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_ready_column <= 0;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_row_start <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_write_column <= 0;
+        rows_tag_valid <= false;
+        rows_tag_row_start <= false;
+        rows_tag_output_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_row_start <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_pixels_first_tag_valid <= false;
+        slice0cost_pixels_first_tag_row_start <= false;
+        slice0cost_pixels_first_tag_output_column <= false;
+        slice0cost_pixels_first_tag_start_of_frame <= false;
+        slice0cost_pixels_first_tag_end_of_line <= false;
+        slice0cost_pixels_tag_valid <= false;
+        slice0cost_pixels_tag_output_column <= false;
+        slice0cost_pixels_tag_start_of_frame <= false;
+        slice0cost_pixels_tag_end_of_line <= false;
+        slice0cost_read_column <= 0;
+        slice0cost_change_column <= 0;
+        slice0cost_ready_column <= 0;
+        slice0cost_ready_tag_valid <= false;
+        slice0cost_ready_tag_output_column <= false;
+        slice0cost_ready_tag_start_of_frame <= false;
+        slice0cost_ready_tag_end_of_line <= false;
+        slice0cost_write_column <= 0;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_ring_read_address <= 1;
+        slice0window_ring_write_address <= 0;
+        slice0window_entering_tag_valid <= false;
+        slice0window_entering_tag_output_column <= false;
+        slice0window_entering_tag_start_of_frame <= false;
+        slice0window_entering_tag_end_of_line <= false;
+        slice0window_change_tag_valid <= false;
+        slice0window_change_tag_output_column <= false;
+        slice0window_change_tag_start_of_frame <= false;
+        slice0window_change_tag_end_of_line <= false;
+        slice0window_centre_output_column_0 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_tag_valid <= false;
+        slice0window_tag_output_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0window_tag_end_of_line <= false;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0winner2_tag_valid <= false;
+        slice0winner2_tag_output_column <= false;
+        slice0winner2_tag_start_of_frame <= false;
+        slice0winner2_tag_end_of_line <= false;
+        slice0winner3_tag_valid <= false;
+        slice0winner3_tag_output_column <= false;
+        slice0winner3_tag_start_of_frame <= false;
+        slice0winner3_tag_end_of_line <= false;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1cost_read_column <= 0;
+        slice1cost_change_column <= 0;
+        slice1cost_ready_column <= 0;
+        slice1cost_write_column <= 0;
+        slice1window_ring_read_address <= 1;
+        slice1window_ring_write_address <= 0;
+        slice1window_centre_output_column_0 <= false;
+        slice1window_centre_output_column_1 <= false;
+        slice1window_centre_start_of_frame_0 <= false;
+        slice1window_centre_start_of_frame_1 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1window_centre_end_of_line_1 <= false;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        refinement_tag_0_valid <= false;
+        refinement_tag_0_output_column <= false;
+        refinement_tag_0_start_of_frame <= false;
+        refinement_tag_0_end_of_line <= false;
+        refinement_tag_1_valid <= false;
+        refinement_tag_1_output_column <= false;
+        refinement_tag_1_start_of_frame <= false;
+        refinement_tag_1_end_of_line <= false;
+        refinement_tag_2_valid <= false;
+        refinement_tag_2_output_column <= false;
+        refinement_tag_2_start_of_frame <= false;
+        refinement_tag_2_end_of_line <= false;
+        refinement_tag_3_valid <= false;
+        refinement_tag_3_output_column <= false;
+        refinement_tag_3_start_of_frame <= false;
+        refinement_tag_3_end_of_line <= false;
+        refinement_tag_4_valid <= false;
+        refinement_tag_4_output_column <= false;
+        refinement_tag_4_start_of_frame <= false;
+        refinement_tag_4_end_of_line <= false;
+        refinement_tag_5_valid <= false;
+        refinement_tag_5_output_column <= false;
+        refinement_tag_5_start_of_frame <= false;
+        refinement_tag_5_end_of_line <= false;
+        refinement_tag_6_valid <= false;
+        refinement_tag_6_output_column <= false;
+        refinement_tag_6_start_of_frame <= false;
+        refinement_tag_6_end_of_line <= false;
+        refinement_tag_7_valid <= false;
+        refinement_tag_7_output_column <= false;
+        refinement_tag_7_start_of_frame <= false;
+        refinement_tag_7_end_of_line <= false;
+        refinement_tag_8_valid <= false;
+        refinement_tag_8_output_column <= false;
+        refinement_tag_8_start_of_frame <= false;
+        refinement_tag_8_end_of_line <= false;
+        refinement_tag_9_valid <= false;
+        refinement_tag_9_output_column <= false;
+        refinement_tag_9_start_of_frame <= false;
+        refinement_tag_9_end_of_line <= false;
+        refinement_tag_10_valid <= false;
+        refinement_tag_10_output_column <= false;
+        refinement_tag_10_start_of_frame <= false;
+        refinement_tag_10_end_of_line <= false;
+        refinement_tag_11_valid <= false;
+        refinement_tag_11_output_column <= false;
+        refinement_tag_11_start_of_frame <= false;
+        refinement_tag_11_end_of_line <= false;
+        map_out_valid <= false;
+        map_out_start_of_frame <= false;
+        map_out_end_of_line <= false;
+        other_15 <= 0;
+        other_16 <= 0;
+      end if;
+    end if;
+  end process;
+end architecture;
