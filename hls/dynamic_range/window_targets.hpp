@@ -48,7 +48,7 @@ struct WindowTargets {
    bool comes;
    uint16_t pause;   ///< clocks since the last block of a row has come, up to kPause
    uint16_t walked;  ///< blocks, kWalk: it has ended
-   uint16_t walk_band;
+   uint16_t next_band;
    bool last_row;  ///< the newest row is the last one
    bool again;     ///< the walk is that of the last row itself
    Walk walk;
@@ -83,7 +83,7 @@ struct WindowTargets {
       visit("comes", comes);
       visit("pause", pause, kPause);
       visit("walked", walked, kWalk);
-      visit("walk_band", walk_band);
+      visit("next_band", next_band);
       visit("last_row", last_row);
       visit("again", again);
       visit("walk", walk);
@@ -141,8 +141,8 @@ struct WindowTargets {
 
       walk.valid = walks;
       walk.column = uint16_t(kColumns - 1 - walked);
-      walk.band = walk_band;
-      walk.has_above = walk_band != 0;
+      walk.band = next_band;
+      walk.has_above = next_band != 0;
       walk.has_below = !again;
       newest[0] = blocks.range;
       comes = blocks.valid;
@@ -155,7 +155,7 @@ struct WindowTargets {
       const uint16_t band_above = select<uint16_t>(single, blocks.block_row, uint16_t(blocks.block_row - 1));
       walked = select<uint16_t>(begins | repeats, 0, next_walked);
       pause = select<uint16_t>(begins, 0, next_pause);
-      walk_band = select<uint16_t>(begins, band_above, select<uint16_t>(repeats, uint16_t(walk_band + 1), walk_band));
+      next_band = select<uint16_t>(begins, band_above, select<uint16_t>(repeats, uint16_t(next_band + 1), next_band));
       again = select<bool>(begins, single, again | repeats);
       last_row = select<bool>(begins, is_last, last_row);
    }
