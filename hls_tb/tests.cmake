@@ -48,6 +48,10 @@ stereo_add_unit_tests(
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
+  blocks/dynamic_range/coarse_pixels_test.cpp
+  blocks/dynamic_range/search_rows_test.cpp
+  blocks/dynamic_range/stream_delay_test.cpp
+  blocks/dynamic_range/window_targets_test.cpp
   blocks/phase_correlation/phase_transform_test.cpp
   blocks/phase_correlation/phase_distance_test.cpp
   blocks/semi_global/config_test.cpp
