@@ -162,7 +162,7 @@ struct BlockRanges {
       const bool moves = ready.valid;
       const Lane row_above = select<Lane>(ready.row >= 2, pixels.row(0), 0);
       const Lane row_here = select<Lane>(ready.row >= 1, pixels.row(1), 0);
-      left = select<Lane>(moves, select<Lane>(ready.column >= 2, middle, 0), left);
+      left = select<Lane>(moves, middle, left);  // of column 0: the added column
       middle = select<Lane>(moves, right, middle);
       right = select<Lane>(moves, row_here, right);
       above = select<Lane>(moves, next_above, above);
