@@ -9,9 +9,9 @@
 namespace stereo::dynamic_range::configurations {
 
 // clang-format off
-// All are planned so far: their VHDL is not made yet.
+// planned: their VHDL is not made yet.
 // Small enough for every tool to finish in seconds.
-STEREO_ROW(tiny_dynamic, tiny, Config(), width_px = 64, height_px = 32, disparities = 32, window_disparities = 16,
+STEREO_ROW(tiny_dynamic, option, Config(), width_px = 64, height_px = 32, disparities = 32, window_disparities = 16,
            window_px = 5);
 
 // The size of Masrani and MacLean, 640x480.
