@@ -11,7 +11,7 @@ namespace stereo::dynamic_range {
 enum class Codes : uint8_t { phase, census };
 
 /// What matching in a search window that follows the scene computes: docs/algorithm.md defines each option. The
-/// reference is the right image. Models take it with images whose width and height are multiples of 8.
+/// reference is the right image. Models take it with images of any size from 8 rows on.
 struct Matching {
    int disparities = 128;  ///< total range T: 0 <= disparity < T, 32 ... 256, a multiple of 4, below the image width
    int window_disparities = 16;  ///< D, of each of the two search windows, 16 ... 64, a multiple of 8, at most T - 8

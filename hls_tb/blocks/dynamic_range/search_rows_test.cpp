@@ -56,7 +56,7 @@ void expect_codes(int bubbles_percent) {
       int goal = 0;
       for (int& value : goals[track].values) value = goal = random.percent(60) ? random.below(C.last_base() + 1) : goal;
       for (int band = 0; band < kBands; ++band)
-         wanted[track].push_back(dynamic_range::window_bases(goals[track], band, C.width_px, C));
+         wanted[track].push_back(dynamic_range::window_bases(goals[track], 8 * band, C.width_px, C));
    }
    for (int band = 0; band < kBands; ++band)
       for (int column = 0; column < C.block_columns(); ++column) {

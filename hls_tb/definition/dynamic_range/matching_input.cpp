@@ -12,9 +12,8 @@ void check_matching_input(const GrayImage& left, const GrayImage& right, const M
    const Sentence problem = matching.problem();
    require(problem.empty(), problem.text);
    require(left.width == right.width && left.height == right.height, "left and right image differ in size");
-   require(left.width % Matching::kBlock == 0 && left.height % Matching::kBlock == 0 && left.height > 0,
-           "the images are " + std::to_string(left.width) + "x" + std::to_string(left.height) +
-               " but width and height must be multiples of 8");
+   require(left.height >= Matching::kBlock,
+           "the image height is " + std::to_string(left.height) + " but must be at least 8");
    require(left.width > matching.disparities, "the image width is " + std::to_string(left.width) +
                                                   " but must exceed the disparity range " +
                                                   std::to_string(matching.disparities));

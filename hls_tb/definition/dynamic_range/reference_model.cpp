@@ -25,7 +25,7 @@ Track follow(const CensusImage& left, const CensusImage& right, const Blocks<int
    Track track;
    track.bases = Blocks<int>(costs.width, costs.height);
    for (int y = 0; y < costs.height; ++y) {
-      const std::vector<int> bases = window_bases(targets, y / Matching::kBlock, right.width, matching);
+      const std::vector<int> bases = window_bases(targets, y, right.width, matching);
       for (int x = 0; x < costs.width; ++x) {
          const int base = bases[std::size_t(x)];
          track.bases.at(x, y) = base;

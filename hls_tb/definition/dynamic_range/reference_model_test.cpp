@@ -88,10 +88,9 @@ TEST(DynamicRange, MatchesWhatSearchesTheWholeRange) {
    EXPECT_LT(followed, searched + 6) << "percent, " << searched << " with all disparities";
 }
 
-TEST(DynamicRange, RejectsImagesOfOtherSizes) {
+TEST(DynamicRange, RejectsWhatItCannotMatch) {
    const Matching matching{.disparities = 64};
-   EXPECT_THROW(match_reference(GrayImage(100, 48), GrayImage(100, 48), matching), std::invalid_argument);
-   EXPECT_THROW(match_reference(GrayImage(104, 44), GrayImage(104, 44), matching), std::invalid_argument);
+   EXPECT_THROW(match_reference(GrayImage(104, 7), GrayImage(104, 7), matching), std::invalid_argument);
    EXPECT_THROW(match_reference(GrayImage(64, 48), GrayImage(64, 48), matching), std::invalid_argument);
    EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 40), matching), std::invalid_argument);
    EXPECT_THROW(match_reference(GrayImage(104, 48), GrayImage(104, 48), Matching{.disparities = 66}),

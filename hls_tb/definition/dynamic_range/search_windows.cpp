@@ -54,6 +54,7 @@ Blocks<std::optional<Range>> block_ranges(const DisparityMap& coarse) {
    Blocks<std::optional<Range>> ranges(coarse.width / kCoarseBlock, coarse.height / kCoarseBlock);
    for (int y = 0; y < coarse.height; ++y)
       for (int x = 0; x < coarse.width; ++x) {
+         if (x / kCoarseBlock >= ranges.width || y / kCoarseBlock >= ranges.height) continue;
          const int first = Matching::kCoarse * coarse.at(x, y), last = first + Matching::kCoarse - 1;
          if (counts(coarse, x, y)) join(ranges.at(x / kCoarseBlock, y / kCoarseBlock), {first, last});
       }
@@ -89,11 +90,12 @@ Targets search_targets(const Blocks<std::optional<Range>>& ranges, const Matchin
    return targets;
 }
 
-std::vector<int> window_bases(const Blocks<int>& targets, int band, int image_width, const Matching& matching) {
+std::vector<int> window_bases(const Blocks<int>& targets, int y, int image_width, const Matching& matching) {
+   const int band = std::min(y / Matching::kBlock, targets.height - 1);
    const int last_column = image_width - matching.window_disparities;
    std::vector<int> bases;
    for (int x = 0; x <= last_column; ++x) {
-      const int goal = std::min(targets.at(x / Matching::kBlock, band), last_column - x);
+      const int goal = std::min(targets.at(std::min(x / Matching::kBlock, targets.width - 1), band), last_column - x);
       const int base = x == 0 ? goal : bases.back();
       if (x == 0) bases.push_back(goal);
       else if (goal >= base + Matching::kRise) bases.push_back(base + Matching::kRise);

@@ -50,7 +50,7 @@ struct Targets {
 };
 Targets search_targets(const Blocks<std::optional<Range>>& ranges, const Matching& matching);
 
-/// Y5. The first disparity that a search window has, for the columns 0 ... W-D of the rows of a band of blocks.
-std::vector<int> window_bases(const Blocks<int>& targets, int band, int image_width, const Matching& matching);
+/// Y5. The first disparity that a search window has, for the columns 0 ... W-D of row y.
+std::vector<int> window_bases(const Blocks<int>& targets, int y, int image_width, const Matching& matching);
 
 }  // namespace stereo::dynamic_range

@@ -86,6 +86,18 @@ TEST(SearchWindows, BasesRiseBy3AndFallBy1) {
              (std::vector<int>{16, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0}));
 }
 
+TEST(SearchWindows, WhatIsLeftAtTheEndBelongsToTheLastBlocks) {
+   // 30x19 pixels: coarse images of 7x4, 3x2 blocks.
+   const Ranges ranges = block_ranges(DisparityMap(7, 4, 3));
+   EXPECT_EQ(ranges.width, 3);
+   EXPECT_EQ(ranges.height, 2);
+   Blocks<int> targets(6, 2);  // 51 columns, 20 rows
+   targets.at(5, 1) = 9;
+   const std::vector<int> bases = window_bases(targets, 19, 51, {.disparities = 32, .window_disparities = 16});
+   EXPECT_EQ(bases, window_bases(targets, 8, 51, {.disparities = 32, .window_disparities = 16}));
+   EXPECT_EQ(bases.size(), 36u);
+}
+
 TEST(SearchWindows, StayInTheImageAndInTheRange) {
    Random random(test_seed());
    for (int i = 0; i < 300; ++i) {
@@ -101,7 +113,7 @@ TEST(SearchWindows, StayInTheImageAndInTheRange) {
       const Targets targets = search_targets(ranges, matching);
       for (const Blocks<int>* blocks : {&targets.low, &targets.high})
          for (int band = 0; band < 3; ++band) {
-            const std::vector<int> bases = window_bases(*blocks, band, width, matching);
+            const std::vector<int> bases = window_bases(*blocks, 8 * band, width, matching);
             ASSERT_EQ(int(bases.size()), width - matching.window_disparities + 1);
             for (int x = 0; x < int(bases.size()); ++x) {
                ASSERT_GE(bases[std::size_t(x)], 0);

@@ -45,7 +45,7 @@ class Track {
          after_((matching.window_px - 1) / 2),
          column_sums_(std::size_t(cost_columns_) * std::size_t(lanes_)),
          sums_(column_sums_.size()) {
-      for (int band = 0; band < targets.height; ++band) bases_.push_back(window_bases(targets, band, width, matching));
+      for (int y = 0; y < height; y += Matching::kBlock) bases_.push_back(window_bases(targets, y, width, matching));
       for (int y = 0; y < after_ && y < height_; ++y) add_row(y, 1);
    }
 
