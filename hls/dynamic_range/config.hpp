@@ -98,7 +98,7 @@ struct Config : Image, Matching, Structure {
          return "the width and height of the images must be multiples of 8";
       if (coarse_rows() < kCoarseWindow) return "the images must have 32 rows or more";
       if (width_px <= disparities) return "the image width must exceed the disparity range";
-      if (width_px > 1280) return "the core with a dynamic range takes images of at most 1280 columns";
+      if (width_px > 1024) return "the core with a dynamic range takes images of at most 1024 columns";
       if (codes == Codes::phase) {
          if (const Sentence sentence = coarse_phase_config().problem(); !sentence.empty()) return sentence;
          return window_phase_config().problem();

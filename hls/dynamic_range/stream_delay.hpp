@@ -7,19 +7,19 @@
 namespace stereo::dynamic_range {
 
 /// Holds a stream back by `Groups` groups: `Bits` bits of each, and whether a frame starts with it. 1 clock. Memory:
-/// (Groups + 1) x (Bits + 1) bits.
+/// (Groups + 1) x (Bits + 1) bits; the start of a frame has one of its own, as the tool takes memories of 100 kB at
+/// most in words of whole bytes.
 template <int Bits, int Groups>
 struct StreamDelay {
    static constexpr int kClocks = 1;
    static constexpr int kLagGroups = Groups;
-   using Word = uint_of_bits<Bits + 1>;
    using Data = uint_of_bits<Bits>;
-   using Delay = Ring<Word, Groups + 1, 1>;
+   using Delay = Ring<Data, Groups + 1, 2>;
    static constexpr int kMemories = Delay::kMemories;
 
    Delay ring;
    bool holds_groups;  ///< a reset leaves the words of the ring, with their starts of frames, as they were
-   Word held[1];
+   Data held[2];       ///< data, start of frame
    bool held_is_new;
    bool valid;
 
@@ -37,12 +37,12 @@ struct StreamDelay {
       visit("valid", valid);
    }
 
-   HLS_INLINE Data data() const { return Data(held[0] >> 1); }
-   HLS_INLINE bool start_of_frame() const { return held_is_new & ((held[0] & 1) != 0); }
+   HLS_INLINE Data data() const { return held[0]; }
+   HLS_INLINE bool start_of_frame() const { return held_is_new & ((held[1] & 1) != 0); }
 
    HLS_INLINE void clock(Data data_in, bool start_in, bool valid_in) {
       const bool is_new = holds_groups | (ring.read_address == 0);  // place 0 is the first that is written
-      const Word words[1] = {Word(Word(data_in) << 1 | Word(start_in))};
+      const Data words[2] = {data_in, Data(start_in)};
       ring.clock(words, valid_in, held);
       held_is_new = is_new;
       holds_groups = select<bool>(valid_in, is_new, holds_groups);

@@ -3863,8 +3863,7 @@ begin
       if ranges_ready_valid then
         ranges_pixels_write_words_0 <= (ranges_pixels_ready_newest_0 * 16) + (ranges_pixels_ready_words_0 / 16);
         ranges_pixels_written <= ranges_ready_column;
-        ranges_left <= ranges_middle when ((ranges_ready_column / 16) = 1) or (((ranges_ready_column / 8) mod 2) = 1)
-          or (((ranges_ready_column / 4) mod 2) = 1) or (((ranges_ready_column / 2) mod 2) = 1) else 0;
+        ranges_left <= ranges_middle;
         ranges_above <= ranges_next_above;
         ranges_middle <= ranges_right;
         ranges_below <= ranges_next_below;
