@@ -13,6 +13,7 @@ packages=(
    ghdl-mcode verilator yosys                                # co-simulation and proofs
    python3 python3-venv python3-rich python3-jinja2                # the flow
    python3-matplotlib                                        # pictures of report.py, cosim.py and explore.py
+   python3-dev python3-numpy                                 # the Python module
    python3-pytest python3-hypothesis chromium                # its tests; pages as a browser shows them
    gcc tcl                                                   # driver and scripts of the kits
 )

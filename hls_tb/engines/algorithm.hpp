@@ -16,14 +16,16 @@ class Algorithm {
   public:
    virtual ~Algorithm() = default;
    virtual std::vector<OptionValue> options() const = 0;
+   virtual std::vector<OptionLimits> limits() const = 0;
    /// The same with one option changed; limits are only checked when it matches. Throws std::invalid_argument with what
    /// the value should have been, or with the names of all options.
    virtual std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const = 0;
    /// Such as "100 disparities, window 3x3".
    virtual std::string description() const = 0;
    virtual MapGeometry map_geometry(int image_width) const = 0;
-   /// The map by the fast model. Throws std::invalid_argument with one sentence when the pair cannot be matched.
-   virtual DisparityMap match_fast(const GrayImage& left, const GrayImage& right) const = 0;
+   /// The map by the fast model, the same for any number of threads. Throws std::invalid_argument with one sentence
+   /// when the pair cannot be matched.
+   virtual DisparityMap match_fast(const GrayImage& left, const GrayImage& right, int threads) const = 0;
    /// The same map by the definition; slow.
    virtual DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const = 0;
 };
@@ -39,8 +41,10 @@ MapGeometry geometry(const Matching& matching, int image_width) {
    return map_geometry(matching, image_width);
 }
 template <class Matching>
-DisparityMap fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   return match_fast(left, right, matching);
+DisparityMap fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   if constexpr (requires { match_fast(left, right, matching, threads); })
+      return match_fast(left, right, matching, threads);
+   else return match_fast(left, right, matching);
 }
 template <class Matching>
 DisparityMap reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
@@ -55,6 +59,7 @@ class AlgorithmOf final : public Algorithm {
    explicit AlgorithmOf(const Matching& matching) : matching_(matching) {}
 
    std::vector<OptionValue> options() const override { return option_values(matching_); }
+   std::vector<OptionLimits> limits() const override { return option_limits(matching_); }
    std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const override {
       Matching changed = matching_;
       OptionSetter setter(option, value);
@@ -65,8 +70,8 @@ class AlgorithmOf final : public Algorithm {
    }
    std::string description() const override { return of_family::description(matching_); }
    MapGeometry map_geometry(int image_width) const override { return of_family::geometry(matching_, image_width); }
-   DisparityMap match_fast(const GrayImage& left, const GrayImage& right) const override {
-      return of_family::fast(left, right, matching_);
+   DisparityMap match_fast(const GrayImage& left, const GrayImage& right, int threads) const override {
+      return of_family::fast(left, right, matching_, threads);
    }
    DisparityMap match_reference(const GrayImage& left, const GrayImage& right) const override {
       return of_family::reference(left, right, matching_);

@@ -39,4 +39,10 @@ const Configuration* find_configuration(const std::string& name) {
    return found == configurations().end() ? nullptr : &*found;
 }
 
+std::string no_such_configuration() {
+   std::string known;
+   for (const Configuration& entry : configurations()) known += (known.empty() ? "" : ", ") + entry.name;
+   return "there is no such configuration; known are: " + known;
+}
+
 }  // namespace stereo

@@ -29,6 +29,9 @@ const std::vector<Configuration>& configurations();
 /// nullptr when there is none of that name.
 const Configuration* find_configuration(const std::string& name);
 
+/// "there is no such configuration; known are: ...", for those who did not find one.
+std::string no_such_configuration();
+
 /// The options of a configuration but those of its images, where they differ from the family's defaults.
 template <class Config>
 std::vector<OptionValue> changed_options(const Config& config) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <charconv>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -36,6 +38,41 @@ std::vector<OptionValue> option_values(const Options& options) {
    OptionReader reader;
    Options::options(options, reader);
    return std::move(reader.values);
+}
+
+/// What is known of an option beside its value.
+struct OptionLimits {
+   OptionValue standard;            ///< the value of an option that is not given
+   std::optional<int> low, high;    ///< of a number; limits that follow from other options are those of their defaults
+   std::vector<std::string> words;  ///< of a choice or a flag
+   std::string meaning;             ///< of a number: "the window side"
+};
+
+/// The visitor that reads all options of a list with their limits.
+struct LimitReader {
+   std::vector<OptionLimits> limits;
+
+   void operator()(const char* name, int value, int low, int high, const char* meaning) {
+      const auto limit = [](int number) {
+         const bool none = number == kUnlimited || number == -kUnlimited - 1;
+         return none ? std::nullopt : std::optional<int>(number);
+      };
+      limits.push_back({{name, value}, limit(low), limit(high), {}, meaning});
+   }
+   template <class Choice>
+   void operator()(const char* name, const Choice& value) {
+      OptionReader reader;
+      reader(name, value);
+      limits.push_back(
+          {reader.values.front(), {}, {}, {std::begin(Words<Choice>::kWords), std::end(Words<Choice>::kWords)}, ""});
+   }
+};
+
+template <class Options>
+std::vector<OptionLimits> option_limits(const Options& options) {
+   LimitReader reader;
+   Options::options(options, reader);
+   return std::move(reader.limits);
 }
 
 /// The visitor that gives the option of one name a value. Limits are checked later, when all are given.

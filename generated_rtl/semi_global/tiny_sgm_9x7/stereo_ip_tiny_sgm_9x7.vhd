@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 249,
       gap_groups => 0,
-      core_id => x"41044c36",
+      core_id => x"ea09b2a8",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

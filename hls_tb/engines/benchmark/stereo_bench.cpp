@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How fast the software is: the fast models beside OpenCV's StereoBM and StereoSGBM, one thread each, and the clocked
-// core.
+// How fast the software is: the fast models beside OpenCV's StereoBM and StereoSGBM, with one thread each and with all
+// cores, and the clocked core.
 //
 // Mde/s counts million disparity evaluations a second: outputs that are computed, times disparities that are tried for
 // each. Both matchers run on the same generated scene.
@@ -8,6 +8,7 @@
 
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
+#include <thread>
 
 #include "definition/block_matching/models.hpp"
 #include "definition/semi_global/models.hpp"
@@ -24,6 +25,21 @@ stereo::ImagePair scene(int disparities) {
    return stereo::make_scene({.width = kWidth, .height = kHeight, .disparities = disparities}).images;
 }
 
+using Bench = benchmark::internal::Benchmark;
+
+/// In one thread and in all cores: the first argument of a benchmark is the number of threads.
+std::vector<int64_t> thread_counts() { return {1, std::max<int64_t>(2, std::thread::hardware_concurrency())}; }
+void with_threads(Bench* bench) {
+   bench->ArgName("threads")->ArgsProduct({thread_counts()})->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+/// {disparities, window} each.
+void with_sizes_and_threads(Bench* bench, const std::vector<std::pair<int64_t, int64_t>>& sizes) {
+   for (const auto& [disparities, window] : sizes)
+      for (const int64_t threads : thread_counts()) bench->Args({threads, disparities, window});
+   bench->ArgNames({"threads", "", ""})->UseRealTime()->Unit(benchmark::kMillisecond);
+}
+int threads_of(const benchmark::State& state) { return int(state.range(0)); }
+
 void count_evaluations(benchmark::State& state, double columns, double rows, double disparities) {
    state.counters["Mde/s"] =
        benchmark::Counter(columns * rows * disparities * 1e-6, benchmark::Counter::kIsIterationInvariantRate);
@@ -32,24 +48,25 @@ void count_evaluations(benchmark::State& state, double columns, double rows, dou
 /// (W-D) x H outputs.
 void fast_model_options(benchmark::State& state, const stereo::block_matching::Matching& parameters) {
    const stereo::ImagePair pair = scene(parameters.disparities);
-   for (auto _ : state) benchmark::DoNotOptimize(match_fast(pair.left, pair.right, parameters));
+   const int threads = threads_of(state);
+   for (auto _ : state) benchmark::DoNotOptimize(match_fast(pair.left, pair.right, parameters, threads));
    count_evaluations(state, map_width(kWidth, parameters), kHeight, parameters.disparities);
 }
 
 /// The paper's algorithm.
 void fast_model(benchmark::State& state) {
-   fast_model_options(state, {.disparities = int(state.range(0)), .window_px = int(state.range(1))});
+   fast_model_options(state, {.disparities = int(state.range(1)), .window_px = int(state.range(2))});
 }
 
 /// (W-D+1) x (H-B+1) outputs: all left pixels with a complete disparity range, in rows with a complete window. StereoBM
 /// fills the rest of its map without looking at it.
 void opencv_stereo_bm(benchmark::State& state) {
-   const int disparities = int(state.range(0)), window = int(state.range(1));
+   const int disparities = int(state.range(1)), window = int(state.range(2));
    stereo::ImagePair pair = scene(disparities);
    const cv::Mat left(kHeight, kWidth, CV_8U, pair.left.pixels.data());
    const cv::Mat right(kHeight, kWidth, CV_8U, pair.right.pixels.data());
    const cv::Ptr<cv::StereoBM> matcher = cv::StereoBM::create(disparities, window);
-   cv::setNumThreads(1);
+   cv::setNumThreads(threads_of(state));
    cv::Mat map;
    for (auto _ : state) matcher->compute(left, right, map);
    count_evaluations(state, kWidth - disparities + 1, kHeight - window + 1, disparities);
@@ -58,7 +75,8 @@ void opencv_stereo_bm(benchmark::State& state) {
 /// All cost columns.
 void semi_global_fast_model(benchmark::State& state, const stereo::semi_global::Matching& options) {
    const stereo::ImagePair pair = scene(options.disparities);
-   for (auto _ : state) benchmark::DoNotOptimize(match_fast(pair.left, pair.right, options));
+   const int threads = threads_of(state);
+   for (auto _ : state) benchmark::DoNotOptimize(match_fast(pair.left, pair.right, options, threads));
    count_evaluations(state, map_width(kWidth, options), kHeight, options.disparities);
 }
 
@@ -69,7 +87,7 @@ void opencv_stereo_sgbm(benchmark::State& state, int mode, int disparities) {
    const cv::Mat right(kHeight, kWidth, CV_8U, pair.right.pixels.data());
    const cv::Ptr<cv::StereoSGBM> matcher = cv::StereoSGBM::create(0, disparities, 3, 90, 360);
    matcher->setMode(mode);
-   cv::setNumThreads(1);
+   cv::setNumThreads(threads_of(state));
    cv::Mat map;
    for (auto _ : state) matcher->compute(left, right, map);
    count_evaluations(state, kWidth - disparities, kHeight, disparities);
@@ -111,28 +129,23 @@ const stereo::semi_global::Matching kSemiGlobalWide{.disparities = 64, .cost_shi
 const stereo::semi_global::Matching kSemiGlobalAll{
     .disparities = 64, .left_right_threshold = 1, .uniqueness_distance = 3, .subpixel = true, .median = true};
 
-// Disparities, window.
-BENCHMARK(fast_model)
-    ->Args({100, 3})
-    ->Args({96, 5})
-    ->Args({112, 5})
-    ->Args({64, 15})
-    ->Args({100, 21})
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fast_model_options, census_5x5_window_5, kCensus5x5)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fast_model_options, census_7x7_window_7_left_right_median, kCensus7x7)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fast_model_options, ssd_window_7, kSsd)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(fast_model_options, opencv_bm, kOpenCvBm)->Unit(benchmark::kMillisecond);
-BENCHMARK(opencv_stereo_bm)->Args({64, 15})->Args({96, 5})->Args({112, 5})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(semi_global_fast_model, census_5x5, kSemiGlobal)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(semi_global_fast_model, census_5x5_128, kSemiGlobal128)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(semi_global_fast_model, wide_penalties, kSemiGlobalWide)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(semi_global_fast_model, all_checks, kSemiGlobalAll)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_stereo_sgbm, sgbm_64, cv::StereoSGBM::MODE_SGBM, 64)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_stereo_sgbm, 3way_64, cv::StereoSGBM::MODE_SGBM_3WAY, 64)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_stereo_sgbm, 3way_128, cv::StereoSGBM::MODE_SGBM_3WAY, 128)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_stereo_sgbm, hh4_64, cv::StereoSGBM::MODE_HH4, 64)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(opencv_stereo_sgbm, hh_64, cv::StereoSGBM::MODE_HH, 64)->Unit(benchmark::kMillisecond);
+BENCHMARK(fast_model)->Apply([](Bench* bench) {
+   with_sizes_and_threads(bench, {{100, 3}, {96, 5}, {112, 5}, {64, 15}, {100, 21}});
+});
+BENCHMARK_CAPTURE(fast_model_options, census_5x5_window_5, kCensus5x5)->Apply(with_threads);
+BENCHMARK_CAPTURE(fast_model_options, census_7x7_window_7_left_right_median, kCensus7x7)->Apply(with_threads);
+BENCHMARK_CAPTURE(fast_model_options, ssd_window_7, kSsd)->Apply(with_threads);
+BENCHMARK_CAPTURE(fast_model_options, opencv_bm, kOpenCvBm)->Apply(with_threads);
+BENCHMARK(opencv_stereo_bm)->Apply([](Bench* bench) { with_sizes_and_threads(bench, {{64, 15}, {96, 5}, {112, 5}}); });
+BENCHMARK_CAPTURE(semi_global_fast_model, census_5x5, kSemiGlobal)->Apply(with_threads);
+BENCHMARK_CAPTURE(semi_global_fast_model, census_5x5_128, kSemiGlobal128)->Apply(with_threads);
+BENCHMARK_CAPTURE(semi_global_fast_model, wide_penalties, kSemiGlobalWide)->Apply(with_threads);
+BENCHMARK_CAPTURE(semi_global_fast_model, all_checks, kSemiGlobalAll)->Apply(with_threads);
+BENCHMARK_CAPTURE(opencv_stereo_sgbm, sgbm_64, cv::StereoSGBM::MODE_SGBM, 64)->Apply(with_threads);
+BENCHMARK_CAPTURE(opencv_stereo_sgbm, 3way_64, cv::StereoSGBM::MODE_SGBM_3WAY, 64)->Apply(with_threads);
+BENCHMARK_CAPTURE(opencv_stereo_sgbm, 3way_128, cv::StereoSGBM::MODE_SGBM_3WAY, 128)->Apply(with_threads);
+BENCHMARK_CAPTURE(opencv_stereo_sgbm, hh4_64, cv::StereoSGBM::MODE_HH4, 64)->Apply(with_threads);
+BENCHMARK_CAPTURE(opencv_stereo_sgbm, hh_64, cv::StereoSGBM::MODE_HH, 64)->Apply(with_threads);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007, "ambrosch2007")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p2, "ambrosch2007_p2")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(clocked_core, ambrosch2007_p4, "ambrosch2007_p4")->Unit(benchmark::kMillisecond);

@@ -9,12 +9,20 @@
 namespace stereo {
 namespace {
 
+std::filesystem::path& given_folder() {
+   static std::filesystem::path folder;
+   return folder;
+}
+
 std::filesystem::path module_folder() {
    if (const char* const chosen = std::getenv("STEREO_CORES"); chosen != nullptr) return chosen;
+   if (!given_folder().empty()) return given_folder();
    return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "cores";
 }
 
 }  // namespace
+
+void set_core_folder(const std::filesystem::path& folder) { given_folder() = folder; }
 
 const CoreModule& load_core_module(const std::filesystem::path& file) {
    void* const library = dlopen(std::filesystem::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL);

@@ -4,31 +4,94 @@
 #include "engines/clocked/lane_word.hpp"
 
 namespace stereo {
+namespace {
 
-void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out) {
+class TextTrace final : public TraceSink {
+  public:
+   explicit TextTrace(std::ostream& out) : out_(out) {}
+
+   void names(const std::vector<std::string>& names) override {
+      const char* space = "";
+      for (const std::string& name : names) {
+         out_ << space << name;
+         space = " ";
+      }
+      out_ << '\n' << std::hex;
+   }
+   void clock(std::span<const Value> values) override {
+      const char* space = "";
+      for (const auto [bits, negative] : values) {
+         out_ << space << (negative ? "-" : "") << (negative ? ~bits + 1 : bits);
+         space = " ";
+      }
+      out_ << '\n';
+   }
+
+  private:
+   std::ostream& out_;
+};
+
+}  // namespace
+
+void trace_core(const CoreModule& module, const Stimulus& stimulus, TraceSink& sink) {
    const int pixels = module.shape.image.pixels_per_clock;
    HeapMemories memories;
    const auto core = module.make(memories);
    const std::vector<RegisterView> registers = core->registers();
-   out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n'
-       << "in_left_pixel in_right_pixel in_start_of_frame in_valid "
-          "out_disparity out_pixel_valid out_disparity_valid out_disparity_start_of_frame out_disparity_end_of_line";
-   for (const RegisterView& shown : registers) out << ' ' << shown.name;
-   out << '\n' << std::hex;
+   std::vector<std::string> names{"in_left_pixel",
+                                  "in_right_pixel",
+                                  "in_start_of_frame",
+                                  "in_valid",
+                                  "out_disparity",
+                                  "out_pixel_valid",
+                                  "out_disparity_valid",
+                                  "out_disparity_start_of_frame",
+                                  "out_disparity_end_of_line"};
+   for (const RegisterView& shown : registers) names.push_back(shown.name);
+   sink.names(names);
+   std::vector<TraceSink::Value> values;
+   const auto add = [&values](uint64_t word) { values.push_back({word, false}); };
    for (const StereoInput& in : stimulus.clocks) {
       const StereoOutput output = core->output();
-      out << lane_word<uint8_t>(in.left, pixels, 8) << ' ' << lane_word<uint8_t>(in.right, pixels, 8) << ' '
-          << in.start_of_frame << ' ' << in.valid << ' '
-          << lane_word<uint16_t>(output.disparity, pixels, module.shape.disparity_bits) << ' '
-          << lane_word<bool>(output.pixel_valid, pixels, 1) << ' ' << output.valid << ' ' << output.start_of_frame
-          << ' ' << output.end_of_line;
-      for (const RegisterView& shown : registers) {
-         const auto [bits, negative] = shown.value();
-         out << (negative ? " -" : " ") << (negative ? ~bits + 1 : bits);
-      }
-      out << '\n';
+      values.clear();
+      add(lane_word<uint8_t>(in.left, pixels, 8));
+      add(lane_word<uint8_t>(in.right, pixels, 8));
+      add(in.start_of_frame);
+      add(in.valid);
+      add(lane_word<uint16_t>(output.disparity, pixels, module.shape.disparity_bits));
+      add(lane_word<bool>(output.pixel_valid, pixels, 1));
+      add(output.valid);
+      add(output.start_of_frame);
+      add(output.end_of_line);
+      for (const RegisterView& shown : registers) values.push_back(shown.value());
+      sink.clock(values);
       core->clock(in);
    }
+}
+
+void trace_core(const CoreModule& module, const Stimulus& stimulus, std::ostream& out) {
+   out << "stereo-hls trace 1 config=" << stimulus.config << " clocks=" << stimulus.clocks.size() << '\n';
+   TextTrace text(out);
+   trace_core(module, stimulus, text);
+}
+
+Stimulus make_trace_stimulus(const CoreModule& module, int clocks) {
+   constexpr int kStallPercent = 20;
+   constexpr uint64_t kSeed = 1;
+   const Image& image = module.shape.image;
+   StimulusWriter writer(image.pixels_per_clock, kStallPercent, kSeed);
+   writer.bubbles(4);
+   const auto records_of_a_frame = [&writer](int count) {
+      writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
+      writer.random_records(count - 1);
+   };
+   records_of_a_frame(image.width_px / 2);
+   while (writer.clocks.size() < std::size_t(clocks)) {
+      records_of_a_frame(image.width_px * image.row_groups());
+      writer.gap(module.shape.schedule);
+   }
+   writer.clocks.resize(std::size_t(clocks));
+   return {module.name, image.pixels_per_clock, std::move(writer.clocks)};
 }
 
 }  // namespace stereo

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engines/fast/bands.hpp"
 #include "engines/fast/vector_clones.hpp"
 
 namespace stereo::fast {
@@ -29,15 +30,17 @@ STEREO_VECTOR_CLONES void append_bits(uint8_t* __restrict bits, const uint8_t* _
 /// Calls visit(y, row, dx, number) for each other pixel of the window around the pixels of row y, whose rows lie in the
 /// image; `number` counts the pixels of the window.
 template <class Visit>
-void for_each_other(int height, int census_width_px, int census_height_px, const Visit& visit) {
+void for_each_other(int height, int census_width_px, int census_height_px, int threads, const Visit& visit) {
    const int radius_x = census_width_px / 2, radius_y = census_height_px / 2;
-   for (int y = 0; y < height; ++y)
-      for (int dy = -radius_y; dy <= radius_y; ++dy)
-         for (int dx = -radius_x; dx <= radius_x; ++dx) {
-            const int place = (dy + radius_y) * census_width_px + dx + radius_x;
-            const int number = place - (dy > 0 || (dy == 0 && dx > 0) ? 1 : 0);
-            if ((dy != 0 || dx != 0) && y + dy >= 0 && y + dy < height) visit(y, y + dy, dx, number);
-         }
+   for_each_band(height, threads, [&](int first, int end) {
+      for (int y = first; y < end; ++y)
+         for (int dy = -radius_y; dy <= radius_y; ++dy)
+            for (int dx = -radius_x; dx <= radius_x; ++dx) {
+               const int place = (dy + radius_y) * census_width_px + dx + radius_x;
+               const int number = place - (dy > 0 || (dy == 0 && dx > 0) ? 1 : 0);
+               if ((dy != 0 || dx != 0) && y + dy >= 0 && y + dy < height) visit(y, y + dy, dx, number);
+            }
+   });
 }
 
 /// Appends the bits of one other pixel to a row of transforms. Beyond the image no pixel is larger than the centre: the
@@ -52,18 +55,18 @@ void append_to_row(Bits* bits, const GrayImage& image, int y, int row, int dx) {
 
 }  // namespace
 
-std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px) {
+std::vector<uint64_t> census(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
    std::vector<uint64_t> transforms(image.pixels.size());
-   for_each_other(image.height, census_width_px, census_height_px, [&](int y, int row, int dx, int) {
+   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int) {
       append_to_row(transforms.data() + std::ptrdiff_t(y) * image.width, image, y, row, dx);
    });
    return transforms;
 }
 
-std::vector<uint8_t> census_planes(const GrayImage& image, int census_width_px, int census_height_px) {
+std::vector<uint8_t> census_planes(const GrayImage& image, int census_width_px, int census_height_px, int threads) {
    const int planes = (census_width_px * census_height_px - 1 + 7) / 8;
    std::vector<uint8_t> transforms(image.pixels.size() * std::size_t(planes));
-   for_each_other(image.height, census_width_px, census_height_px, [&](int y, int row, int dx, int number) {
+   for_each_other(image.height, census_width_px, census_height_px, threads, [&](int y, int row, int dx, int number) {
       append_to_row(transforms.data() + (std::ptrdiff_t(number / 8) * image.height + y) * image.width, image, y, row,
                     dx);
    });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engines/fast/bands.hpp"
 #include "engines/fast/vector_clones.hpp"
 
 namespace stereo::fast {
@@ -45,17 +46,19 @@ STEREO_VECTOR_CLONES void take_medians(uint16_t* __restrict medians, const Sorte
 
 }  // namespace
 
-DisparityMap median_3x3(const DisparityMap& map) {
+DisparityMap median_3x3(const DisparityMap& map, int threads) {
    DisparityMap filtered = map;
-   const std::vector<uint16_t> blank(std::size_t(map.width) + 2);
-   SortedColumns sorted{blank, blank, blank};
    const auto row = [&](int y) {
       return map.disparity.data() + std::ptrdiff_t(std::clamp(y, 0, map.height - 1)) * map.width;
    };
-   for (int y = 0; y < map.height; ++y) {
-      sort_columns(sorted, row(y - 1), row(y), row(y + 1), map.width);
-      take_medians(&filtered.at(0, y), sorted, map.width);
-   }
+   for_each_band(map.height, threads, [&](int first, int end) {
+      const std::vector<uint16_t> blank(std::size_t(map.width) + 2);
+      SortedColumns sorted{blank, blank, blank};
+      for (int y = first; y < end; ++y) {
+         sort_columns(sorted, row(y - 1), row(y), row(y + 1), map.width);
+         take_medians(&filtered.at(0, y), sorted, map.width);
+      }
+   });
    return filtered;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engines/fast/bands.hpp"
 #include "engines/fast/vector_clones.hpp"
 
 namespace stereo::fast {
@@ -21,13 +22,15 @@ STEREO_VECTOR_CLONES void filter_row(uint8_t* __restrict filtered, const uint8_t
 
 }  // namespace
 
-GrayImage prefilter_xsobel(const GrayImage& image, int cap) {
+GrayImage prefilter_xsobel(const GrayImage& image, int cap, int threads) {
    GrayImage filtered(image.width, image.height, uint8_t(cap));
    const int last = image.height - 1;
-   for (int y = 0; y <= last; ++y) {
-      const int above = y > 0 ? y - 1 : std::min(1, last), below = y < last ? y + 1 : std::max(last - 1, 0);
-      filter_row(filtered.row(y), image.row(above), image.row(y), image.row(below), image.width, cap);
-   }
+   for_each_band(image.height, threads, [&](int first, int end) {
+      for (int y = first; y < end; ++y) {
+         const int above = y > 0 ? y - 1 : std::min(1, last), below = y < last ? y + 1 : std::max(last - 1, 0);
+         filter_row(filtered.row(y), image.row(above), image.row(y), image.row(below), image.width, cap);
+      }
+   });
    return filtered;
 }
 

@@ -9,6 +9,7 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
+#include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/depth.hpp"
 #include "program/depth/rectification.hpp"
@@ -27,6 +28,7 @@ struct Arguments {
    std::vector<std::string> settings;
    double unit_mm = 1000;
    bool rectified = false;
+   int threads = 1;
 };
 
 /// A pair that can be matched, in colour where the cameras' images are, and where it stands.
@@ -85,6 +87,7 @@ nlohmann::json facts(const Arguments& arguments, const PreparedPair& pair, const
            {"known_px", depths.known},
            {"nearest_mm", depths.nearest_mm},
            {"farthest_mm", depths.farthest_mm},
+           {"threads", arguments.threads},
            {"milliseconds", milliseconds}};
 }
 
@@ -103,7 +106,8 @@ void depth(const Arguments& arguments) {
    const ImagePair gray = pair.gray();
    std::cout << rectification_warning(gray);
    double milliseconds = 0;
-   const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, gray, *algorithm); });
+   const DisparityMap map =
+       timed(milliseconds, [&] { return match_named(arguments.config, gray, *algorithm, arguments.threads); });
    const MapGeometry map_geometry = algorithm->map_geometry(gray.left.width);
    const std::vector<Point> points = points_of(at_image_size(map, map_geometry, gray.left.width),
                                                map_geometry.reference, pair.geometry, arguments.unit_mm / 1000);
@@ -141,6 +145,7 @@ void add_depth(CLI::App& app) {
    command->add_option("--unit-mm", arguments.unit_mm, "millimetres of one unit of the calibration's T; 1000: metres")
        ->check(check_positive_number)
        ->capture_default_str();
+   add_threads_option(*command, arguments.threads);
    command->add_flag("--rectified", arguments.rectified, "the images are rectified already");
    command->add_option("--out", arguments.out, "folder for the results")->required();
    command->callback([] { depth(arguments); });

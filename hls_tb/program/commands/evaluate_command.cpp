@@ -9,6 +9,7 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
+#include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/errors.hpp"
 #include "program/evaluation/camera_difference.hpp"
@@ -28,6 +29,7 @@ struct Arguments {
    std::vector<std::string> configs, settings, opencv, disparities, references;
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
    CameraDifference cameras;
+   int threads = 1;
 };
 
 /// The images and, of each that has one, truth and masks.
@@ -77,32 +79,15 @@ GroundTruth load(const Arguments& arguments) {
 /// range: the disparities that the method looks for; nothing where they are not known.
 void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<DisparityRange> range,
            const GroundTruth& truth) {
-   const std::optional<DisparityImage>& wanted = truth.of(method.reference);
-   if (!wanted) return;
-   const auto add = [&](const char* name, const GrayImage& mask) {
-      const Measures measures = measure(found, *wanted, mask);
-      if (measures.pixels > 0) method.masks.push_back({name, measures});
-   };
-   for (const NamedMask& mask : truth.masks(method.reference)) {
-      add(mask.name.c_str(), mask.mask);
-      if (range && mask.name == kNonOccluded) add(kSearchable, searchable_mask(mask.mask, *range, method.reference));
-   }
-}
-
-/// Families without a smallest disparity look from 0 on.
-DisparityRange range_of(const Algorithm& algorithm) {
-   DisparityRange range{0, 0};
-   for (const OptionValue& option : algorithm.options()) {
-      if (option.name == "disparities") range.count = std::get<int>(option.value);
-      if (option.name == "min_disparity") range.first = std::get<int>(option.value);
-   }
-   return range;
+   if (const std::optional<DisparityImage>& wanted = truth.of(method.reference))
+      method.masks = measure_masks(found, method.reference, range, *wanted, truth.masks(method.reference));
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const auto algorithm = named_algorithm(name, arguments.settings);
    EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options()), 0, {}};
-   const DisparityMap map = timed(method.milliseconds, [&] { return match_named(name, truth.seen, *algorithm); });
+   const DisparityMap map =
+       timed(method.milliseconds, [&] { return match_named(name, truth.seen, *algorithm, arguments.threads); });
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
    method.reference = geometry.reference;
    score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
@@ -115,7 +100,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
-   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher); }),
+   score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher, arguments.threads); }),
          DisparityRange{0, matcher.disparities}, truth);
    return method;
 }
@@ -146,8 +131,13 @@ void evaluate(const Arguments& arguments) {
    if (arguments.configs.empty() && !arguments.settings.empty())
       throw InputError("--set: changes the options of configurations; name one with --config");
    const GroundTruth truth = load(arguments);
-   Evaluation evaluation{arguments.left,         arguments.right,     truth.pair.left.width,
-                         truth.pair.left.height, arguments.border_px, {}};
+   Evaluation evaluation{arguments.left,
+                         arguments.right,
+                         truth.pair.left.width,
+                         truth.pair.left.height,
+                         arguments.border_px,
+                         arguments.threads,
+                         {}};
    for (const std::string& name : arguments.configs)
       evaluation.methods.push_back(evaluate_core(name, arguments, truth));
    for (const std::string& word : arguments.opencv)
@@ -214,6 +204,7 @@ void add_evaluate(CLI::App& app) {
        ->check(CLI::NonNegativeNumber)
        ->capture_default_str();
    add_methods(*command, arguments);
+   add_threads_option(*command, arguments.threads, "the fast model and of OpenCV");
    command->add_option("--json", arguments.json, "file for the results, as JSON");
    command->callback([] { evaluate(arguments); });
 }

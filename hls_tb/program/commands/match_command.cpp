@@ -8,10 +8,11 @@
 #include <sstream>
 
 #include "engines/clocked/core_modules.hpp"
-#include "engines/clocked/run_core.hpp"
+#include "engines/clocked/match_clocked.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/commands/pair_options.hpp"
+#include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"
@@ -30,6 +31,7 @@ struct Arguments {
    std::string truth, visible;  ///< the reference image's true disparities and what counts of them; both or none
    Engine engine = Engine::fast;
    Fit fit = Fit::none;
+   int threads = 1;
 };
 
 /// The pair at the size that is matched.
@@ -64,15 +66,6 @@ TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, c
    return score_against_truth(map, geometry, truth, visible);
 }
 
-DisparityMap match_clocked(const ImagePair& pair, const Configuration& configuration) {
-   const CoreModule& core = core_module(configuration.name);
-   const Stimulus stimulus = make_stimulus(configuration.name, core.shape, pair);
-   const std::vector<DisparityMap> frames = collect_frames(run_core(core, stimulus.clocks), core.shape);
-   if (frames.size() != 1)
-      throw std::runtime_error("the clocked core gave " + std::to_string(frames.size()) + " frames");
-   return frames.front();
-}
-
 const char* fit_word(Fit fit) { return fit == Fit::crop ? "crop" : fit == Fit::resize ? "resize" : "none"; }
 
 /// Share of the map's pixels that are valid.
@@ -105,10 +98,11 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
                       {"reference", word_of(geometry.reference)},
                       {"disparity_steps_per_px", map.steps_per_pixel()},
                       {"density", density(map)},
+                      {"threads", fast ? arguments.threads : 1},
                       {"milliseconds", milliseconds}});
    facts.text << size_text(pair.left) << ", " << algorithm.description() << " -> " << size_text(map) << ", "
-              << (fast ? "fast model" : "clocked core") << ", " << std::fixed << std::setprecision(2) << milliseconds
-              << " ms\n";
+              << (fast ? "fast model, threads: " + std::to_string(arguments.threads) : "clocked core") << ", "
+              << std::fixed << std::setprecision(2) << milliseconds << " ms\n";
    if (geometry.has_check) facts.text << "valid pixels: " << 100 * density(map) << " %\n";
 }
 
@@ -129,8 +123,8 @@ void match(const Arguments& arguments) {
    std::cout << rectification_warning(pair);
    double milliseconds = 0;
    const DisparityMap map = timed(milliseconds, [&] {
-      return arguments.engine == Engine::fast ? algorithm.match_fast(pair.left, pair.right)
-                                              : match_clocked(pair, configuration);
+      return arguments.engine == Engine::fast ? algorithm.match_fast(pair.left, pair.right, arguments.threads)
+                                              : match_clocked(core_module(configuration.name), pair);
    });
 
    Facts facts;
@@ -160,6 +154,7 @@ void add_match(CLI::App& app) {
    command->add_option("--out", arguments.out, "folder for the results")->required();
    add_choice(*command, "--engine", arguments.engine, kEngines,
               "fast (default): the software model, any size; clocked: the hardware's C++");
+   add_threads_option(*command, arguments.threads);
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
    CLI::Option* truth =
        command->add_option("--truth", arguments.truth, "true disparities of the reference image: count bad pixels");

@@ -17,6 +17,6 @@ const Configuration& require_configuration(const std::string& name);
 std::shared_ptr<const Algorithm> named_algorithm(const std::string& config, const std::vector<std::string>& settings);
 
 /// The fast model on images of any size. What does not fit together becomes an InputError that names the configuration.
-DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm);
+DisparityMap match_named(const std::string& config, const ImagePair& pair, const Algorithm& algorithm, int threads);
 
 }  // namespace stereo::app

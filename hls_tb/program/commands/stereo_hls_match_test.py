@@ -2,6 +2,7 @@
 """The command stereo_hls match: disparity maps, their facts, and input that it refuses."""
 
 import json
+import os
 import random
 
 import pytest
@@ -46,6 +47,7 @@ def test_match_writes_its_facts(tmp_path, match, pair):
     succeed(*match)
     facts = match_facts(tmp_path)
     assert facts.pop("milliseconds") >= 0
+    assert facts.pop("threads") == len(os.sched_getaffinity(0))
     assert facts == {
         "format": "stereo-hls match 1",
         "config": "tiny",
@@ -78,6 +80,31 @@ def test_match_writes_its_facts(tmp_path, match, pair):
     }
 
 
+def test_match_gives_the_same_with_any_number_of_threads(tmp_path, match):
+    maps = []
+    for threads in (1, 2, 7):
+        text = succeed(*changed(match, "--out", tmp_path / "out"), "--threads", threads)
+        assert f"threads: {threads}," in text
+        assert match_facts(tmp_path)["threads"] == threads
+        maps.append((tmp_path / "out" / "disparity.png").read_bytes())
+    assert maps[0] == maps[1] == maps[2]
+
+
+def test_match_takes_the_cores_that_it_may_use(tmp_path, match):
+    allowed = os.sched_getaffinity(0)
+    try:
+        os.sched_setaffinity(0, {min(allowed)})  # the program inherits it
+        succeed(*match)
+    finally:
+        os.sched_setaffinity(0, allowed)
+    assert match_facts(tmp_path)["threads"] == 1
+
+
+@pytest.mark.parametrize("threads", ["0", "-1", "1025", "two", ""])
+def test_threads_are_a_small_number(tmp_path, match, threads):
+    fail(tmp_path, *match, "--threads", threads, says=["--threads"])
+
+
 def configurations():
     """The families of the tests and of the demo, and OpenCV's: the others are large, or only measure what an option
     costs."""
@@ -107,6 +134,7 @@ def test_every_configuration_on_its_scene(tmp_path, config):
         assert (tmp_path / "fast" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes(), name
     for different in ("engine", "milliseconds"):
         assert facts["fast"].pop(different) != facts["clocked"].pop(different)
+    assert facts["clocked"].pop("threads") == 1 and facts["fast"].pop("threads") >= 1
     assert facts["fast"] == facts["clocked"]
 
     found = facts["fast"]

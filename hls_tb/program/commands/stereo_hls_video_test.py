@@ -40,7 +40,8 @@ def test_folders_to_a_folder(tmp_path, video, cameras):
     (tmp_path / "l" / "notes.txt").write_text("no image")
     out = succeed(*video, *cameras)
     rates = re.search(
-        rf"^{FRAMES} frames of {WIDTH}x{HEIGHT}: ([0-9.]+) frames a second in the matching alone, ([0-9.]+) overall$",
+        rf"^{FRAMES} frames of {WIDTH}x{HEIGHT}: ([0-9.]+) frames a second in the matching alone \(threads: \d+\), "
+        r"([0-9.]+) overall$",
         out,
         re.M,
     )

@@ -18,28 +18,9 @@ struct TraceArguments {
 };
 
 void trace(const TraceArguments& arguments) {
-   constexpr int kStallPercent = 20;
-   constexpr uint64_t kSeed = 1;
    const CoreModule& core = core_module(require_configuration(arguments.config).name);
-   const int pixels = core.shape.image.pixels_per_clock;
-   StimulusWriter writer(pixels, kStallPercent, kSeed);
-   writer.bubbles(4);
-   const auto records_of_a_frame = [&writer](int count) {
-      writer.record({.left = {0x5a}, .right = {0xa5}, .start_of_frame = true, .valid = true});
-      writer.random_records(count - 1);
-   };
-   // A frame that is broken off, then frames as close as they may be: what only happens between frames shows as well,
-   // where the frames are short enough.
-   const Image& image = core.shape.image;
-   const std::size_t clocks = std::size_t(arguments.clocks);
-   records_of_a_frame(image.width_px / 2);
-   while (writer.clocks.size() < clocks) {
-      records_of_a_frame(image.width_px * image.row_groups());
-      writer.gap(core.shape.schedule);
-   }
-   writer.clocks.resize(clocks);
    std::ostringstream text;
-   trace_core(core, {core.name, pixels, writer.clocks}, text);
+   trace_core(core, make_trace_stimulus(core, arguments.clocks), text);
    OutputFolder out(arguments.out);
    out.add("trace.txt", text.str());
    out.commit();

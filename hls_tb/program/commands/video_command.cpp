@@ -9,6 +9,7 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/frame_progress.hpp"
 #include "program/commands/named_matching.hpp"
+#include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"
@@ -26,6 +27,7 @@ struct Arguments {
    std::string left, right, side_by_side, config, out;
    std::vector<std::string> settings;
    double frames_per_second = 0;  ///< 0: the input's
+   int threads = 1;
 };
 
 PairSource open_pair(const Arguments& arguments) {
@@ -67,7 +69,8 @@ void video(const Arguments& arguments) {
       const ImagePair pair{gray_of_any(frames.left), gray_of_any(frames.right)};
       if (!sink) std::cout << rectification_warning(pair);
       double milliseconds = 0;
-      const DisparityMap map = timed(milliseconds, [&] { return match_named(arguments.config, pair, *algorithm); });
+      const DisparityMap map =
+          timed(milliseconds, [&] { return match_named(arguments.config, pair, *algorithm, arguments.threads); });
       matching_seconds += milliseconds / 1000;
       const MapGeometry geometry = algorithm->map_geometry(pair.left.width);
       const cv::Mat page = beside(geometry.reference == Reference::left ? frames.left : frames.right, map, geometry);
@@ -78,7 +81,8 @@ void video(const Arguments& arguments) {
    }
    std::cout << progress.line_start() << progress.frames() << " frames of " << size_text(size) << ": " << std::fixed
              << std::setprecision(1) << progress.frames() / matching_seconds
-             << " frames a second in the matching alone, " << progress.frames() / progress.seconds() << " overall\n";
+             << " frames a second in the matching alone (threads: " << arguments.threads << "), "
+             << progress.frames() / progress.seconds() << " overall\n";
    sink->commit();
 }
 
@@ -96,6 +100,7 @@ void add_video(CLI::App& app) {
        ->required();
    command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
        ->allow_extra_args(false);
+   add_threads_option(*command, arguments.threads);
    command->add_option("--frames-per-second", arguments.frames_per_second, "of the result; default: the input's, or 25")
        ->check(check_positive_number)
        ->check(CLI::Range(0.1, 1000.0));

@@ -82,31 +82,56 @@ void print_mask(std::ostream& out, const Evaluation& evaluation, const std::stri
 
 }  // namespace
 
+DisparityRange range_of(const Algorithm& algorithm) {
+   DisparityRange range{0, 0};
+   for (const OptionValue& option : algorithm.options()) {
+      if (option.name == "disparities") range.count = std::get<int>(option.value);
+      if (option.name == "min_disparity") range.first = std::get<int>(option.value);
+   }
+   return range;
+}
+
+std::vector<NamedMeasures> measure_masks(const DisparityImage& found, Reference reference,
+                                         const std::optional<DisparityRange>& range, const DisparityImage& truth,
+                                         const std::vector<NamedMask>& masks) {
+   std::vector<NamedMeasures> measured;
+   const auto add = [&](const char* name, const GrayImage& mask) {
+      const Measures measures = measure(found, truth, mask);
+      if (measures.pixels > 0) measured.push_back({name, measures});
+   };
+   for (const NamedMask& mask : masks) {
+      add(mask.name.c_str(), mask.mask);
+      if (range && mask.name == kNonOccluded) add(kSearchable, searchable_mask(mask.mask, *range, reference));
+   }
+   return measured;
+}
+
+nlohmann::json measures_json(const std::vector<NamedMeasures>& masks) {
+   nlohmann::json json = nlohmann::json::object();
+   for (const NamedMeasures& mask : masks) json[mask.mask] = json_of(mask.measures);
+   return json;
+}
+
 nlohmann::json evaluation_json(const Evaluation& evaluation) {
    nlohmann::json methods = nlohmann::json::array();
    for (const EvaluatedMethod& method : evaluation.methods) {
-      nlohmann::json masks = nlohmann::json::object();
-      for (const NamedMeasures& mask : method.masks) masks[mask.mask] = json_of(mask.measures);
       methods.push_back({{"name", method.name},
                          {"kind", method.kind},
                          {"reference", word_of(method.reference)},
                          {"parameters", method.parameters},
                          {"milliseconds", known(method.milliseconds)},
-                         {"masks", masks}});
+                         {"masks", measures_json(method.masks)}});
    }
-   return {{"format", "stereo-hls evaluation 1"},
-           {"left", evaluation.left},
-           {"right", evaluation.right},
-           {"width_px", evaluation.width_px},
-           {"height_px", evaluation.height_px},
-           {"border_px", evaluation.border_px},
-           {"methods", methods}};
+   return {{"format", "stereo-hls evaluation 1"}, {"left", evaluation.left},
+           {"right", evaluation.right},           {"width_px", evaluation.width_px},
+           {"height_px", evaluation.height_px},   {"border_px", evaluation.border_px},
+           {"threads", evaluation.threads},       {"methods", methods}};
 }
 
 std::string evaluation_text(const Evaluation& evaluation) {
    std::ostringstream out;
    out << std::fixed << size_text(evaluation.width_px, evaluation.height_px) << ", a border of " << evaluation.border_px
-       << " px does not count\n";
+       << " px does not count; threads: " << evaluation.threads << "\n";
    for (const EvaluatedMethod& method : evaluation.methods) {
       out << std::left << std::setw(int(name_width(evaluation)) + 2) << "  " + method.name << std::right << "reference "
           << word_of(method.reference);

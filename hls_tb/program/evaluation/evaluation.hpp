@@ -3,9 +3,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "engines/algorithm.hpp"
 #include "program/evaluation/masks.hpp"
 #include "program/evaluation/measures.hpp"
 
@@ -15,6 +17,18 @@ struct NamedMeasures {
    std::string mask;  ///< as in NamedMask
    Measures measures;
 };
+
+/// The disparities that an algorithm looks for. Families without a smallest disparity look from 0 on.
+DisparityRange range_of(const Algorithm& algorithm);
+
+/// The measures of a map over the masks of its reference image, but those without pixels. range: the disparities that
+/// the method looks for; without it there are no searchable columns.
+std::vector<NamedMeasures> measure_masks(const DisparityImage& found, Reference reference,
+                                         const std::optional<DisparityRange>& range, const DisparityImage& truth,
+                                         const std::vector<NamedMask>& masks);
+
+/// {mask: {measure: value}}, as in evaluation_json.
+nlohmann::json measures_json(const std::vector<NamedMeasures>& masks);
 
 struct EvaluatedMethod {
    std::string name;
@@ -28,6 +42,7 @@ struct EvaluatedMethod {
 struct Evaluation {
    std::string left, right;  ///< paths of the images
    int width_px = 0, height_px = 0, border_px = 0;
+   int threads = 1;  ///< of every matcher that was timed
    std::vector<EvaluatedMethod> methods;
 };
 

@@ -83,7 +83,8 @@ void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height) {
                        std::to_string(smallest) + " to " + std::to_string(largest));
 }
 
-DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher) {
+DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher, int threads) {
+   cv::setNumThreads(threads);
    ImagePair copy = pair;
    cv::Mat map;
    create(matcher)->compute(as_mat(copy.left), as_mat(copy.right), map);

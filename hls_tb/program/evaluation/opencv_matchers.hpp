@@ -33,6 +33,6 @@ nlohmann::json parameters_json(const OpenCvMatcher& matcher);
 void check_opencv_matcher(const OpenCvMatcher& matcher, int width, int height);
 
 /// In pixels, in steps of a sixteenth. What OpenCV marks as below the smallest disparity has none.
-DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher);
+DisparityImage match_opencv(const ImagePair& pair, const OpenCvMatcher& matcher, int threads);
 
 }  // namespace stereo::app

@@ -49,14 +49,6 @@ GrayImage gray_of(const std::vector<Value>& plane, const DisparityMap& map, Shad
 
 }  // namespace
 
-cv::Mat as_mat(GrayImage& image) { return {image.height, image.width, CV_8UC1, image.pixels.data()}; }
-
-GrayImage from_mat(const cv::Mat& mat) {
-   GrayImage image(mat.cols, mat.rows);
-   mat.copyTo(as_mat(image));
-   return image;
-}
-
 cv::Mat read_image(const std::string& path, const std::string& name) {
    require_file(path, name);
    cv::Mat mat;

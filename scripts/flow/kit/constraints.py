@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one constraint of a core, its clock, and where that comes from."""
 
-from ..implementation.figures import counted
 from ..implementation.results import Configuration
 from ..implementation.targets import ROUTED, TARGETS
 from .fill import fill
@@ -19,7 +18,7 @@ def measured(config: str) -> list[str]:
             clock = results.clock(target, shell)
             if clock:
                 command = f"scripts/implement.py --config {config} --target {target}" + (" --shell" if shell else "")
-                mhz = f"{clock['median']:.1f} MHz, {counted(clock['seeds'])}"
+                mhz = f"{clock['median']:.1f} MHz, {clock['of']}"
                 said.append(f"{TARGETS[target].short}, {what}: {mhz} ({command}).")
     return said or ["The clock of this configuration has not been measured."]
 

@@ -145,13 +145,14 @@ def command(pair: Pair, choice: Choice) -> str:
 
 
 def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int) -> list[list[Method]]:
-    """[[method of each pair] of each choice]. Every evaluation is a process of its own, `jobs` at a time."""
+    """[[method of each pair] of each choice]. Every evaluation is a process of its own with one thread, `jobs` at a
+    time."""
     results: dict[tuple[int, int], Method] = {}
     columns = (TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
         task = bar.add_task("", total=len(all_choices) * len(pairs))
         futures = {
-            pool.submit(evaluation.evaluate, *words(pair, choice)): (i, j)
+            pool.submit(evaluation.evaluate, *words(pair, choice), "--threads", 1): (i, j)
             for i, choice in enumerate(all_choices)
             for j, pair in enumerate(pairs)
         }

@@ -13,27 +13,28 @@ namespace stereo::block_matching {
 namespace {
 
 /// Steps 2 to 6, images prefiltered, the right one as reference.
-DisparityMap match_filtered(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   DisparityMap map = is_plain(matching) ? match_plain(left, right, matching) : match_general(left, right, matching);
-   if (matching.has_texture_check()) check_texture(right, matching, map);
+DisparityMap match_filtered(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   DisparityMap map =
+       is_plain(matching) ? match_plain(left, right, matching, threads) : match_general(left, right, matching, threads);
+   if (matching.has_texture_check()) check_texture(right, matching, map, threads);
    return map;
 }
 
 /// Steps 1 to 6, the right image as reference.
-DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching) {
-   if (matching.prefilter == Prefilter::none) return match_filtered(left, right, matching);
-   return match_filtered(fast::prefilter_xsobel(left, matching.prefilter_cap),
-                         fast::prefilter_xsobel(right, matching.prefilter_cap), matching);
+DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
+   if (matching.prefilter == Prefilter::none) return match_filtered(left, right, matching, threads);
+   return match_filtered(fast::prefilter_xsobel(left, matching.prefilter_cap, threads),
+                         fast::prefilter_xsobel(right, matching.prefilter_cap, threads), matching, threads);
 }
 
 }  // namespace
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    DisparityMap map = matching.reference == Reference::right
-                          ? match_right(left, right, matching)
-                          : mirrored(match_right(mirrored(right), mirrored(left), matching));
-   if (matching.median) map = fast::median_3x3(map);
+                          ? match_right(left, right, matching, threads)
+                          : mirrored(match_right(mirrored(right), mirrored(left), matching, threads));
+   if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }
 

@@ -118,6 +118,20 @@ TEST(FastModel, EqualsTheReferenceWithAnyOptions) {
    EXPECT_GT(partly_valid, 80) << "or the checks have hardly been compared";
 }
 
+TEST(FastModel, IsTheSameForAnyNumberOfThreads) {
+   Random random(test_seed());
+   for (int i = 0; i < 120; ++i) {
+      const int width = 3 + random.below(200), height = 1 + random.below(60);
+      block_matching::Matching parameters = random_parameters(random, width);
+      if (i % 4 == 0) parameters = {.disparities = parameters.disparities, .window_px = 3 + 2 * random.below(2)};
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const DisparityMap expected = match_fast(pair.left, pair.right, parameters);
+      for (const int threads : {2, 3, 7})
+         ASSERT_TRUE(same_map(expected, match_fast(pair.left, pair.right, parameters, threads)))
+             << threads << " threads, " << width << 'x' << height << ' ' << text_of(parameters);
+   }
+}
+
 TEST(FastModel, EqualsTheReferenceOnEveryKindOfPair) {
    Random random(test_seed());
    for (const NamedPair& pair : test_pairs(60, 14, 16, test_seed()))

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/bands.hpp"
 #include "engines/fast/block_matching/aligned_rows.hpp"
 #include "engines/fast/census.hpp"
 #include "engines/fast/row_winners.hpp"
@@ -126,34 +127,42 @@ struct Matcher {
 };
 
 template <class Difference, class Sum, class Pixel>
-STEREO_INTO_CLONES void match_rows(const AlignedPair<Pixel>& pair, const Matching& matching, DisparityMap& map) {
+STEREO_INTO_CLONES void match_rows(const AlignedPair<Pixel>& pair, const Matching& matching, DisparityMap& map,
+                                   int first, int end) {
    const int lanes = (matching.disparities + kLanes - 1) / kLanes * kLanes;
    Matcher<Difference, Sum, Pixel> matcher(pair, matching, lanes, map);
    const int above = std::min(rows_above(matching), map.height - 1);
    const int below = std::min(rows_below(matching), map.height - 1);
-   for (int y = -below; y < map.height; ++y) {  // rows above 0 only take in what lies below them
-      matcher.move_window_down(y + below, y - above - 1);
-      if (y >= 0) matcher.match_row(y);
+   const int oldest = std::max(first - above, 0), none = -1;  // the first row that a window of this band sees
+   for (int y = oldest - below; y < end; ++y) {               // rows above the band only take in what lies below them
+      const int row_out = y - above - 1;
+      matcher.move_window_down(y + below, row_out < oldest ? none : row_out);
+      if (y >= first) matcher.match_row(y);
    }
 }
 
 using Bytes = AlignedPair<uint8_t>;
 using Words = AlignedPair<uint64_t>;
 
-STEREO_VECTOR_CLONES void match_sad_16(const Bytes& pair, const Matching& matching, DisparityMap& map) {
-   match_rows<AbsoluteDifference, uint16_t>(pair, matching, map);
+STEREO_VECTOR_CLONES void match_sad_16(const Bytes& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<AbsoluteDifference, uint16_t>(pair, matching, map, first, end);
 }
-STEREO_VECTOR_CLONES void match_sad_32(const Bytes& pair, const Matching& matching, DisparityMap& map) {
-   match_rows<AbsoluteDifference, uint32_t>(pair, matching, map);
+STEREO_VECTOR_CLONES void match_sad_32(const Bytes& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<AbsoluteDifference, uint32_t>(pair, matching, map, first, end);
 }
-STEREO_VECTOR_CLONES void match_ssd_32(const Bytes& pair, const Matching& matching, DisparityMap& map) {
-   match_rows<SquaredDifference, uint32_t>(pair, matching, map);
+STEREO_VECTOR_CLONES void match_ssd_32(const Bytes& pair, const Matching& matching, DisparityMap& map, int first,
+                                       int end) {
+   match_rows<SquaredDifference, uint32_t>(pair, matching, map, first, end);
 }
-STEREO_VECTOR_CLONES void match_census_16(const Words& pair, const Matching& matching, DisparityMap& map) {
-   match_rows<HammingDistance, uint16_t>(pair, matching, map);
+STEREO_VECTOR_CLONES void match_census_16(const Words& pair, const Matching& matching, DisparityMap& map, int first,
+                                          int end) {
+   match_rows<HammingDistance, uint16_t>(pair, matching, map, first, end);
 }
-STEREO_VECTOR_CLONES void match_census_32(const Words& pair, const Matching& matching, DisparityMap& map) {
-   match_rows<HammingDistance, uint32_t>(pair, matching, map);
+STEREO_VECTOR_CLONES void match_census_32(const Words& pair, const Matching& matching, DisparityMap& map, int first,
+                                          int end) {
+   match_rows<HammingDistance, uint32_t>(pair, matching, map, first, end);
 }
 
 /// Every window sum, and one more for OtherWinners, is below the largest 16-bit number.
@@ -163,27 +172,36 @@ bool fits_16_bits(int width, int height, const Matching& matching) {
           std::numeric_limits<uint16_t>::max() - 1;
 }
 
-}  // namespace
-
-DisparityMap match_codes(const std::vector<uint64_t>& left, const std::vector<uint64_t>& right, int width,
-                         const Matching& matching) {
-   const int height = int(left.size()) / width;
+/// `match`: of the bands of a map.
+template <class Pair, class Match>
+DisparityMap match_bands(const Pair& pair, const Matching& matching, int width, int height, int threads, Match match) {
    DisparityMap map(map_width(width, matching), height, 0, matching.subpixel);
-   const Words pair(left, right, width, matching, kLanes);
-   (fits_16_bits(width, height, matching) ? match_census_16 : match_census_32)(pair, matching, map);
+   fast::for_each_band(height, threads, [&](int first, int end) { match(pair, matching, map, first, end); });
    return map;
 }
 
-DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+}  // namespace
+
+DisparityMap match_codes(const std::vector<uint64_t>& left, const std::vector<uint64_t>& right, int width,
+                         const Matching& matching, int threads) {
+   const int height = int(left.size()) / width;
+   const Words pair(left, right, width, matching, kLanes);
+   return match_bands(pair, matching, width, height, threads,
+                      fits_16_bits(width, height, matching) ? match_census_16 : match_census_32);
+}
+
+DisparityMap match_general(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    if (matching.cost == Cost::census) {
       const int width = matching.census_width_px, height = matching.census_height_px;
-      return match_codes(fast::census(left, width, height), fast::census(right, width, height), left.width, matching);
+      return match_codes(fast::census(left, width, height, threads), fast::census(right, width, height, threads),
+                         left.width, matching, threads);
    }
-   DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
    const bool narrow = fits_16_bits(left.width, left.height, matching);
    const Bytes pair(left.pixels, right.pixels, left.width, matching, kLanes);
-   (matching.cost == Cost::ssd ? match_ssd_32 : narrow ? match_sad_16 : match_sad_32)(pair, matching, map);
-   return map;
+   return match_bands(pair, matching, left.width, left.height, threads,
+                      matching.cost == Cost::ssd ? match_ssd_32
+                      : narrow                   ? match_sad_16
+                                                 : match_sad_32);
 }
 
 }  // namespace stereo::block_matching

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/bands.hpp"
 #include "engines/fast/block_matching/aligned_rows.hpp"
 #include "engines/fast/vector_clones.hpp"
 
@@ -56,7 +57,7 @@ STEREO_INTO_CLONES void keep_smallest(Sum* __restrict best, Sum* __restrict winn
 
 /// The side of the matching window is Window, odd.
 template <int Window>
-STEREO_INTO_CLONES void match_rows(const Pair& pair, int disparities, DisparityMap& map) {
+STEREO_INTO_CLONES void match_rows(const Pair& pair, int disparities, DisparityMap& map, int first_row, int end_row) {
    static_assert(kGroup * (255 * Window * Window + 1) <= std::numeric_limits<Sum>::max());
    // A window beyond the image adds nothing but zeros.
    constexpr int kRadius = Window / 2;
@@ -66,7 +67,9 @@ STEREO_INTO_CLONES void match_rows(const Pair& pair, int disparities, DisparityM
    std::vector<Sum> sums(std::size_t(stride) * std::size_t(disparities));
    std::vector<Sum> best(static_cast<std::size_t>(count)), winner(best);
 
-   for (int y = -kRadius; y < map.height; ++y) {  // rows above 0 only take in what lies below them
+   const int oldest = std::max(first_row - kRadius, 0), none = -1;  // the first row that a window of this band sees
+   for (int y = oldest - kRadius; y < end_row; ++y) {  // rows above the band only take in what lies below them
+      const int row_out = y - kRadius - 1 < oldest ? none : y - kRadius - 1;
       std::fill(best.begin(), best.end(), std::numeric_limits<Sum>::max());
       for (int first = 0; first < disparities; first += kGroup) {
          const Sum* rows[kGroup];
@@ -75,22 +78,22 @@ STEREO_INTO_CLONES void match_rows(const Pair& pair, int disparities, DisparityM
             Sum* const padded = sums.data() + std::ptrdiff_t(d) * stride;
             Sum* const columns = padded + kRadius;
             const auto row = [&](int number) { return RowCosts{pair.left.row(number) + d, pair.right.row(number)}; };
-            if (d == first + i) exchange_rows(columns, count, row(y + kRadius), row(y - kRadius - 1));
+            if (d == first + i) exchange_rows(columns, count, row(y + kRadius), row(row_out));
             std::fill_n(columns + pair.columns, beyond, Sum(0));
             rows[i] = padded;
          }
          keep_smallest<Window>(best.data(), winner.data(), rows, count, Sum(first));
       }
-      if (y >= 0) std::copy_n(winner.begin(), map.width, map.disparity.begin() + std::ptrdiff_t(y) * map.width);
+      if (y >= first_row) std::copy_n(winner.begin(), map.width, map.disparity.begin() + std::ptrdiff_t(y) * map.width);
    }
 }
 
-STEREO_VECTOR_CLONES void match_3x3(const Pair& pair, int disparities, DisparityMap& map) {
-   match_rows<3>(pair, disparities, map);
+STEREO_VECTOR_CLONES void match_3x3(const Pair& pair, int disparities, DisparityMap& map, int first, int end) {
+   match_rows<3>(pair, disparities, map, first, end);
 }
 
-STEREO_VECTOR_CLONES void match_5x5(const Pair& pair, int disparities, DisparityMap& map) {
-   match_rows<5>(pair, disparities, map);
+STEREO_VECTOR_CLONES void match_5x5(const Pair& pair, int disparities, DisparityMap& map, int first, int end) {
+   match_rows<5>(pair, disparities, map, first, end);
 }
 
 }  // namespace
@@ -101,10 +104,12 @@ bool is_plain(const Matching& matching) {
           !matching.subpixel;
 }
 
-DisparityMap match_plain(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_plain(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    const Pair pair(left.pixels, right.pixels, left.width, matching, kLanes);
    DisparityMap map(map_width(left.width, matching), left.height);
-   (matching.window_px == 3 ? match_3x3 : match_5x5)(pair, matching.disparities, map);
+   const auto match = matching.window_px == 3 ? match_3x3 : match_5x5;
+   fast::for_each_band(map.height, threads,
+                       [&](int first, int end) { match(pair, matching.disparities, map, first, end); });
    return map;
 }
 

@@ -12,6 +12,6 @@ namespace stereo::block_matching {
 bool is_plain(const Matching& matching);
 
 /// Steps 2 to 4 of docs/algorithm.md for the right image as reference, images prefiltered, matching plain.
-DisparityMap match_plain(const GrayImage& left, const GrayImage& right, const Matching& matching);
+DisparityMap match_plain(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads);
 
 }  // namespace stereo::block_matching

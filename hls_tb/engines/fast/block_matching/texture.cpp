@@ -5,32 +5,37 @@
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/bands.hpp"
 
 namespace stereo::block_matching {
 
-void check_texture(const GrayImage& filtered, const Matching& matching, DisparityMap& map) {
+void check_texture(const GrayImage& filtered, const Matching& matching, DisparityMap& map, int threads) {
    const int first = first_cost_column(matching), count = cost_columns(filtered.width, matching);
    const int above = std::min(rows_above(matching), filtered.height - 1);
    const int below = std::min(rows_below(matching), filtered.height - 1);
    const int before = std::min(rows_above(matching), count - 1), after = std::min(rows_below(matching), count - 1);
-   std::vector<int> columns(static_cast<std::size_t>(count));
-   const auto add_row = [&](int y, int sign) {
-      if (y < 0 || y >= filtered.height) return;
-      const uint8_t* const row = filtered.row(y) + first;
-      for (int x = 0; x < count; ++x) columns[std::size_t(x)] += sign * std::abs(row[x] - matching.prefilter_cap);
-   };
-   for (int y = -below; y < map.height; ++y) {
-      add_row(y + below, 1);
-      add_row(y - above - 1, -1);
-      if (y < 0) continue;
-      int texture = 0;
-      for (int x = 0; x < after; ++x) texture += columns[std::size_t(x)];
-      for (int x = 0; x < map.width; ++x) {
-         if (x + after < count) texture += columns[std::size_t(x + after)];
-         if (x - before > 0) texture -= columns[std::size_t(x - before - 1)];
-         if (texture < matching.texture_threshold) map.valid_at(x, y) = 0;
+   const auto check_rows = [&](int first_row, int end_row) {
+      std::vector<int> columns(static_cast<std::size_t>(count));
+      const int oldest = std::max(first_row - above, 0);  // the first row that a window of this band sees
+      const auto add_row = [&](int y, int sign) {
+         if (y < oldest || y >= filtered.height) return;
+         const uint8_t* const row = filtered.row(y) + first;
+         for (int x = 0; x < count; ++x) columns[std::size_t(x)] += sign * std::abs(row[x] - matching.prefilter_cap);
+      };
+      for (int y = oldest - below; y < end_row; ++y) {
+         add_row(y + below, 1);
+         add_row(y - above - 1, -1);
+         if (y < first_row) continue;
+         int texture = 0;
+         for (int x = 0; x < after; ++x) texture += columns[std::size_t(x)];
+         for (int x = 0; x < map.width; ++x) {
+            if (x + after < count) texture += columns[std::size_t(x + after)];
+            if (x - before > 0) texture -= columns[std::size_t(x - before - 1)];
+            if (texture < matching.texture_threshold) map.valid_at(x, y) = 0;
+         }
       }
-   }
+   };
+   fast::for_each_band(map.height, threads, check_rows);
 }
 
 }  // namespace stereo::block_matching

@@ -11,20 +11,20 @@ namespace stereo::phase_correlation {
 namespace {
 
 /// All but the median, the right image as reference.
-DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_right(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    return block_matching::match_codes(fast::weighted_phase_codes(left, matching.phase_scales),
                                       fast::weighted_phase_codes(right, matching.phase_scales), left.width,
-                                      matching.block_matching());
+                                      matching.block_matching(), threads);
 }
 
 }  // namespace
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    DisparityMap map = matching.reference == Reference::right
-                          ? match_right(left, right, matching)
-                          : mirrored(match_right(mirrored(right), mirrored(left), matching));
-   if (matching.median) map = fast::median_3x3(map);
+                          ? match_right(left, right, matching, threads)
+                          : mirrored(match_right(mirrored(right), mirrored(left), matching, threads));
+   if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }
 

@@ -8,13 +8,13 @@
 
 namespace stereo::semi_global {
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
-   DisparityMap map =
-       matching.reference == Reference::right
-           ? match_paths(left, right, matching)
-           : stereo::mirrored(match_paths(stereo::mirrored(right), stereo::mirrored(left), mirrored(matching)));
-   if (matching.median) map = fast::median_3x3(map);
+   DisparityMap map = matching.reference == Reference::right
+                          ? match_paths(left, right, matching, threads)
+                          : stereo::mirrored(match_paths(stereo::mirrored(right), stereo::mirrored(left),
+                                                         mirrored(matching), threads));
+   if (matching.median) map = fast::median_3x3(map, threads);
    return map;
 }
 

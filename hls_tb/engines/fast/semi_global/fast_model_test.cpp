@@ -122,6 +122,19 @@ TEST(SemiGlobalFastModel, EqualsTheReferenceOnLargerImages) {
    }
 }
 
+TEST(SemiGlobalFastModel, IsTheSameForAnyNumberOfThreads) {
+   Random random(test_seed());
+   for (int i = 0; i < 60; ++i) {
+      const int width = 3 + random.below(400), height = 1 + random.below(60);
+      const Matching matching = random_options(random, width);
+      const ImagePair pair = random_pair(width, height, test_seed() + uint64_t(i), random.percent(50) ? 256 : 4);
+      const DisparityMap expected = match_fast(pair.left, pair.right, matching);
+      for (const int threads : {2, 3, 7})
+         ASSERT_TRUE(same_map(expected, match_fast(pair.left, pair.right, matching, threads)))
+             << threads << " threads, " << width << 'x' << height << ' ' << text_of(matching);
+   }
+}
+
 TEST(SemiGlobalFastModel, RejectsWhatTheReferenceRejects) {
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 8), Matching{.disparities = 4}), std::invalid_argument);
    EXPECT_THROW(match_fast(GrayImage(9, 9), GrayImage(9, 9), Matching{.disparities = 9}), std::invalid_argument);

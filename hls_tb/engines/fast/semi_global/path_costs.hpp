@@ -96,14 +96,20 @@ class WindowCosts {
          columns_(row_size_),
          window_(std::size_t(lanes)) {}
 
-   /// The costs that the paths see in the next row, and the smallest of each column. Rows come
-   /// from the top.
+   /// The next row will be y.
+   STEREO_INTO_CLONES void go_to(int y) {
+      if (y == row_) return;
+      row_ = y;
+      oldest_ = std::max(y - above_, 0);
+      std::fill(columns_.begin(), columns_.end(), Sum(0));
+      for (int taken = oldest_; taken < y + below_; ++taken) take_in(taken);
+   }
+
+   /// The costs that the paths see in the next row, and the smallest of each column.
    template <class Lane>
    STEREO_INTO_CLONES void next_row(Lane* costs, Lane* smallest) {
-      if (row_ == 0)
-         for (int y = 0; y < below_; ++y) take_in(y);
       take_in(row_ + below_);
-      if (row_ - above_ - 1 >= 0) take_out(row_ - above_ - 1);
+      if (row_ - above_ - 1 >= oldest_) take_out(row_ - above_ - 1);
       ++row_;
       std::fill(window_.begin(), window_.end(), Sum(0));
       for (int x = 0; x < after_; ++x) add(column(x));
@@ -170,7 +176,8 @@ class WindowCosts {
    std::vector<PixelCost> rows_;  ///< [y % kept][x][d]
    std::vector<Sum> columns_;     ///< [x][d]: sums over the window's rows
    std::vector<Sum> window_;      ///< [d]
-   int row_ = 0;
+   int row_ = -1;                 ///< the next one; none yet
+   int oldest_ = 0;               ///< the first row that has been taken in
 };
 
 }  // namespace stereo::semi_global

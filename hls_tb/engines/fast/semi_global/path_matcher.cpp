@@ -4,9 +4,11 @@
 #include <cstdlib>
 
 #include "definition/block_matching/matching_input.hpp"
+#include "engines/fast/bands.hpp"
 #include "engines/fast/row_winners.hpp"
 #include "engines/fast/semi_global/path_costs.hpp"
 #include "engines/fast/semi_global/paths.hpp"
+#include "engines/fast/semi_global/row_bands.hpp"
 
 namespace stereo::semi_global {
 namespace {
@@ -14,145 +16,199 @@ namespace {
 /// Loops run over whole vectors of this many disparities.
 constexpr int kVector = 32;
 
-template <class PixelCost, class Sum, class Lane, int Fixed = 0>
+/// What the threads share.
+template <class Lane, int Fixed>
+struct Shared {
+   const PixelRows& pixels;
+   const Matching& matching;
+   int lanes;
+   DisparityMap& map;
+   RowBands bands;
+   PathFromAbove<Lane, Fixed> from_above;
+};
+
+/// The work of one thread: the costs and the paths along the rows of its bands, whatever stands above them, then the
+/// path from above and the winners behind the thread of the band above.
+template <class PixelCost, class Sum, class Lane, int Fixed>
 class Matcher {
   public:
-   STEREO_INTO_CLONES Matcher(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map)
-       : matching_(matching),
-         lanes_(lanes),
-         map_(map),
-         window_costs_(pixels, matching, lanes),
-         costs_(std::size_t(map.width) * std::size_t(lanes)),
-         sums_(costs_),
-         smallest_(std::size_t(map.width)),
-         beyond_(std::size_t(lanes)),
-         total_(std::size_t(lanes)),
-         from_left_(matching, lanes),
-         from_right_(matching, lanes),
-         from_above_(matching, matching.path_above ? map.width : 0, lanes),
-         winners_(std::size_t(map.width)),
-         other_(map.width + lanes) {
-      std::fill(beyond_.begin() + matching.disparities, beyond_.end(), std::numeric_limits<Lane>::max());
+   STEREO_INTO_CLONES explicit Matcher(Shared<Lane, Fixed>& shared)
+       : shared_(shared),
+         matching_(shared.matching),
+         lanes_(shared.lanes),
+         map_(shared.map),
+         window_costs_(shared.pixels, shared.matching, lanes_),
+         beyond_(std::size_t(lanes_)),
+         total_(std::size_t(lanes_)),
+         from_left_(shared.matching, lanes_),
+         from_right_(shared.matching, lanes_),
+         rows_(std::size_t(shared.bands.rows_of_band()), Row(map_.width, lanes_)) {
+      std::fill(beyond_.begin() + matching_.disparities, beyond_.end(), std::numeric_limits<Lane>::max());
    }
 
    STEREO_INTO_CLONES void match() {
-      for (int y = 0; y < map_.height; ++y) {
-         window_costs_.next_row(costs_.data(), smallest_.data());
-         row_paths();
-         winners(y);
+      for (int band = shared_.bands.take(); band < shared_.bands.count(); band = shared_.bands.take()) {
+         const int first = shared_.bands.first_row(band), end = shared_.bands.end_row(band);
+         window_costs_.go_to(first);
+         for (int y = first; y < end; ++y) begin_row(rows_[std::size_t(y - first)]);
+         for (int block = 0; block < shared_.bands.blocks(); ++block) {
+            const int first_column = shared_.bands.first_column(block), end_column = shared_.bands.end_column(block);
+            shared_.bands.enter(block, band);
+            for (int y = first; y < end; ++y) winners(rows_[std::size_t(y - first)], y, first_column, end_column);
+            shared_.bands.leave(block, band);
+         }
+         if (matching_.has_left_right_check())
+            for (int y = first; y < end; ++y) check_left_right(rows_[std::size_t(y - first)], y);
       }
    }
 
   private:
-   STEREO_INTO_CLONES const Lane* costs(int x) const { return costs_.data() + std::ptrdiff_t(x) * lanes_; }
-   STEREO_INTO_CLONES Lane* sums(int x) { return sums_.data() + std::ptrdiff_t(x) * lanes_; }
+   struct Row {
+      Row(int width, int lanes)
+          : costs(std::size_t(width) * std::size_t(lanes)),
+            sums(costs),
+            smallest(std::size_t(width)),
+            winners(std::size_t(width)),
+            other(width + lanes) {}
+
+      std::vector<Lane> costs, sums;  ///< [x][d]
+      std::vector<Lane> smallest;     ///< [x]: of the costs
+      std::vector<int> winners;       ///< [x]
+      fast::OtherWinners<Lane> other;
+   };
+
+   STEREO_INTO_CLONES void begin_row(Row& row) {
+      window_costs_.next_row(row.costs.data(), row.smallest.data());
+      row_paths(row);
+      row.other.restart();
+   }
+
+   STEREO_INTO_CLONES const Lane* costs(const Row& row, int x) const {
+      return row.costs.data() + std::ptrdiff_t(x) * lanes_;
+   }
+   STEREO_INTO_CLONES Lane* sums(Row& row, int x) const { return row.sums.data() + std::ptrdiff_t(x) * lanes_; }
 
    /// Both paths in one loop: neither waits for the other. Each column first gets what comes to it first.
-   STEREO_INTO_CLONES void row_paths() {
+   STEREO_INTO_CLONES void row_paths(Row& row) {
       // K + bias less this is K of the path against its least number, so that the sum of the paths fits a lane.
       const Lane excess = Lane(RowPathState<Lane, Fixed>::kBias - Lane(PathBounds(matching_).lowest_path));
       const int last = map_.width - 1;
-      std::fill(sums_.begin(), sums_.end(), Lane(0));
+      std::fill(row.sums.begin(), row.sums.end(), Lane(0));
       from_left_.start_row();
       from_right_.start_row();
       for (int i = 0; i <= last; ++i) {
-         if (matching_.path_left) from_left_.add_next(costs(i), smallest(i), beyond_.data(), excess, sums(i));
-         const int x = last - i;
-         if (matching_.path_right) from_right_.add_next(costs(x), smallest(x), beyond_.data(), excess, sums(x));
+         if (matching_.path_left) add_next(from_left_, row, i, excess);
+         if (matching_.path_right) add_next(from_right_, row, last - i, excess);
       }
    }
-   STEREO_INTO_CLONES Lane smallest(int x) const { return smallest_[std::size_t(x)]; }
+   STEREO_INTO_CLONES void add_next(RowPathState<Lane, Fixed>& path, Row& row, int x, Lane excess) {
+      path.add_next(costs(row, x), row.smallest[std::size_t(x)], beyond_.data(), excess, sums(row, x));
+   }
 
-   STEREO_INTO_CLONES void winners(int y) {
-      other_.restart();
-      for (int x = 0; x < map_.width; ++x) {
+   STEREO_INTO_CLONES void winners(Row& row, int y, int first, int end) {
+      for (int x = first; x < end; ++x) {
          const int lanes = Fixed > 0 ? Fixed : lanes_;
          Lane* const __restrict to = total_.data();
-         const Lane* const __restrict from = sums(x);
+         const Lane* const __restrict from = sums(row, x);
          const Lane* const __restrict beyond = beyond_.data();
-         if (matching_.path_above) from_above_.add(x, costs(x), beyond, from, to);
+         if (matching_.path_above) shared_.from_above.add(x, costs(row, x), beyond, from, to);
          else
             for (int d = 0; d < lanes; ++d) to[d] = Lane(from[d] | beyond[d]);
-         if (matching_.has_left_right_check()) fast::offer(other_, x, to, lanes, matching_.ties);
-         match_pixel(x, y);
+         if (matching_.has_left_right_check()) fast::offer(row.other, x, to, lanes, matching_.ties);
+         row.winners[std::size_t(x)] = match_pixel(x, y);
       }
-      if (matching_.path_above) from_above_.next_row();
-      if (matching_.has_left_right_check()) check_left_right(y);
+      if (matching_.path_above) shared_.from_above.next_row(first, end);
    }
 
-   STEREO_INTO_CLONES void match_pixel(int x, int y) {
+   /// Gives the winner.
+   STEREO_INTO_CLONES int match_pixel(int x, int y) {
       const Lane* const sums = total_.data();
       const int disparities = matching_.disparities;
       const fast::PixelResult<Lane> pixel = fast::find_winner(sums, Fixed > 0 ? Fixed : lanes_, matching_.ties);
-      winners_[std::size_t(x)] = pixel.winner;
       map_.at(x, y) = matching_.subpixel ? fast::refined(sums, disparities, pixel) : uint16_t(pixel.winner);
-      if (!matching_.has_uniqueness_check()) return;
-      const uint64_t close = uint64_t(pixel.smallest) + uint64_t(matching_.uniqueness_distance) - 1;
-      if (!fast::is_unique(sums, disparities, lanes_, pixel, close)) map_.valid_at(x, y) = 0;
+      if (matching_.has_uniqueness_check()) {
+         const uint64_t close = uint64_t(pixel.smallest) + uint64_t(matching_.uniqueness_distance) - 1;
+         if (!fast::is_unique(sums, disparities, lanes_, pixel, close)) map_.valid_at(x, y) = 0;
+      }
+      return pixel.winner;
    }
 
-   STEREO_INTO_CLONES void check_left_right(int y) {
+   STEREO_INTO_CLONES void check_left_right(const Row& row, int y) {
       for (int x = 0; x < map_.width; ++x) {
-         const int winner = winners_[std::size_t(x)], back = int(other_.disparity[std::size_t(x + winner)]);
+         const int winner = row.winners[std::size_t(x)], back = int(row.other.disparity[std::size_t(x + winner)]);
          if (std::abs(back - winner) > matching_.left_right_threshold) map_.valid_at(x, y) = 0;
       }
    }
 
+   Shared<Lane, Fixed>& shared_;
    const Matching& matching_;
    int lanes_;
    DisparityMap& map_;
    WindowCosts<PixelCost, Sum, Fixed> window_costs_;
-   std::vector<Lane> costs_, sums_;  ///< [x][d]: of one row
-   std::vector<Lane> smallest_;      ///< [x]: of the costs
-   std::vector<Lane> beyond_;        ///< [d]: all bits set behind the last disparity
-   std::vector<Lane> total_;         ///< [d]: S
+   std::vector<Lane> beyond_;  ///< [d]: all bits set behind the last disparity
+   std::vector<Lane> total_;   ///< [d]: S
    RowPathState<Lane, Fixed> from_left_, from_right_;
-   PathFromAbove<Lane, Fixed> from_above_;
-   std::vector<int> winners_;  ///< [x]: of this row
-   fast::OtherWinners<Lane> other_;
+   std::vector<Row> rows_;  ///< of a band
 };
 
 /// Sizes that many cores have: the compiler unrolls loops over a fixed number of lanes.
-STEREO_VECTOR_CLONES void match_8_8_64(const PixelRows& pixels, const Matching& matching, DisparityMap& map) {
-   Matcher<uint8_t, uint8_t, uint8_t, 64>(pixels, matching, 64, map).match();
+STEREO_VECTOR_CLONES void match_8_8_64(Shared<uint8_t, 64>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, 64>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_8_8_128(const PixelRows& pixels, const Matching& matching, DisparityMap& map) {
-   Matcher<uint8_t, uint8_t, uint8_t, 128>(pixels, matching, 128, map).match();
+STEREO_VECTOR_CLONES void match_8_8_128(Shared<uint8_t, 128>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, 128>(shared).match();
 }
 // Window costs of 8, 16 and 32 bits, and paths of 8 and 16.
-STEREO_VECTOR_CLONES void match_8_8(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
-   Matcher<uint8_t, uint8_t, uint8_t>(pixels, matching, lanes, map).match();
+STEREO_VECTOR_CLONES void match_8_8(Shared<uint8_t, 0>& shared) {
+   Matcher<uint8_t, uint8_t, uint8_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_16_8(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
-   Matcher<uint8_t, uint16_t, uint8_t>(pixels, matching, lanes, map).match();
+STEREO_VECTOR_CLONES void match_16_8(Shared<uint8_t, 0>& shared) {
+   Matcher<uint8_t, uint16_t, uint8_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_16_16(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
-   Matcher<uint8_t, uint16_t, uint16_t>(pixels, matching, lanes, map).match();
+STEREO_VECTOR_CLONES void match_16_16(Shared<uint16_t, 0>& shared) {
+   Matcher<uint8_t, uint16_t, uint16_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_32_16(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
-   Matcher<uint8_t, uint32_t, uint16_t>(pixels, matching, lanes, map).match();
+STEREO_VECTOR_CLONES void match_32_16(Shared<uint16_t, 0>& shared) {
+   Matcher<uint8_t, uint32_t, uint16_t, 0>(shared).match();
 }
-STEREO_VECTOR_CLONES void match_ssd(const PixelRows& pixels, const Matching& matching, int lanes, DisparityMap& map) {
-   Matcher<uint16_t, uint32_t, uint16_t>(pixels, matching, lanes, map).match();
+STEREO_VECTOR_CLONES void match_ssd(Shared<uint16_t, 0>& shared) {
+   Matcher<uint16_t, uint32_t, uint16_t, 0>(shared).match();
+}
+
+/// One thread goes through the image row by row, and no row's costs leave the fast memory. Several take bands that are
+/// long beside the rows of the window that each has to take in anew.
+RowBands bands_of(const DisparityMap& map, const Matching& matching, int threads) {
+   constexpr int kRows = 8, kColumns = 64;
+   if (threads == 1) return {map.height, map.width, 1, map.width};
+   return {map.height, map.width, std::min(std::max(kRows, matching.window_px), map.height), kColumns};
 }
 
 }  // namespace
 
-DisparityMap match_paths(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_paths(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    const int lanes = (matching.disparities + kVector - 1) / kVector * kVector;
-   const PixelRows pixels(left, right, matching, kVector);
+   const PixelRows pixels(left, right, matching, kVector, threads);
    DisparityMap map(map_width(left.width, matching), left.height, 0, matching.subpixel);
    const int64_t side_x = std::min(matching.window_px, pixels.columns),
                  side_y = std::min(matching.window_px, map.height);
    const int64_t window_cost = side_x * side_y * block_matching::largest_pixel_cost(matching.window_costs());
    const bool narrow_paths = PathBounds(matching).fit(8);
-   if (matching.cost == Cost::ssd) match_ssd(pixels, matching, lanes, map);
-   else if (window_cost < 1 << 8 && narrow_paths && lanes == 64) match_8_8_64(pixels, matching, map);
-   else if (window_cost < 1 << 8 && narrow_paths && lanes == 128) match_8_8_128(pixels, matching, map);
-   else if (window_cost < 1 << 8 && narrow_paths) match_8_8(pixels, matching, lanes, map);
-   else if (window_cost < 1 << 16 && narrow_paths) match_16_8(pixels, matching, lanes, map);
-   else if (window_cost < 1 << 16) match_16_16(pixels, matching, lanes, map);
-   else match_32_16(pixels, matching, lanes, map);
+   const auto run = [&]<class Lane, int Fixed>(void (*match)(Shared<Lane, Fixed>&)) {
+      Shared<Lane, Fixed> shared{pixels,
+                                 matching,
+                                 lanes,
+                                 map,
+                                 bands_of(map, matching, threads),
+                                 PathFromAbove<Lane, Fixed>(matching, matching.path_above ? map.width : 0, lanes)};
+      fast::in_threads(std::min(threads, shared.bands.count()), [&](int) { match(shared); });
+   };
+   if (matching.cost == Cost::ssd) run(match_ssd);
+   else if (window_cost < 1 << 8 && narrow_paths && lanes == 64) run(match_8_8_64);
+   else if (window_cost < 1 << 8 && narrow_paths && lanes == 128) run(match_8_8_128);
+   else if (window_cost < 1 << 8 && narrow_paths) run(match_8_8);
+   else if (window_cost < 1 << 16 && narrow_paths) run(match_16_8);
+   else if (window_cost < 1 << 16) run(match_16_16);
+   else run(match_32_16);
    return map;
 }
 

@@ -116,7 +116,7 @@ class RowPathState {
    int start_[kHeld] = {}, lowest_[kHeld] = {};  ///< [column % kHeld]: q, and the smallest K
 };
 
-/// The path from above: T of each column of the map, moved down a row at a time.
+/// The path from above: T of each column of the map, moved down a row at a time. Columns know nothing of each other.
 template <class Lane, int Fixed>
 class PathFromAbove {
   public:
@@ -124,7 +124,6 @@ class PathFromAbove {
 
    PathFromAbove(const Matching& matching, int columns, int lanes)
        : matching_(matching),
-         columns_(columns),
          lanes_(lanes),
          state_(std::size_t(columns) * std::size_t(lanes), Lane(matching.p2)),
          bounded_(std::size_t(columns) * std::size_t(lanes + kBeside) + kBeside, Lane(matching.p2)) {}
@@ -148,12 +147,12 @@ class PathFromAbove {
       }
    }
 
-   /// All columns have been added. Only now, since a vector that was written a moment ago cannot be read at another
-   /// place without a long wait.
-   STEREO_INTO_CLONES void next_row() {
+   /// Columns first ... end-1 have been added. Only now, since a vector that was written a moment ago cannot be read at
+   /// another place without a long wait.
+   STEREO_INTO_CLONES void next_row(int first, int end) {
       const int lanes = Fixed > 0 ? Fixed : lanes_;
       const Lane p1 = Lane(matching_.p1);
-      for (int x = 0; x < columns_; ++x) {
+      for (int x = first; x < end; ++x) {
          Lane* const __restrict state = state_.data() + std::ptrdiff_t(x) * lanes;
          const Lane* const __restrict bounded = bounded_.data() + std::ptrdiff_t(x) * (lanes + kBeside) + kBeside;
          for (int d = 0; d < lanes; ++d) {
@@ -166,7 +165,7 @@ class PathFromAbove {
   private:
    static constexpr int kBeside = 32;
    const Matching& matching_;
-   int columns_, lanes_;
+   int lanes_;
    std::vector<Lane> state_;    ///< [x][d]: T
    std::vector<Lane> bounded_;  ///< [x][d]: min(K, P2), and beside each column values that never win
 };

@@ -21,7 +21,8 @@ void copy_columns(const std::vector<uint8_t>& pixels, int width, int first, int 
 
 }  // namespace
 
-PixelRows::PixelRows(const GrayImage& left_image, const GrayImage& right_image, const Matching& matching, int room)
+PixelRows::PixelRows(const GrayImage& left_image, const GrayImage& right_image, const Matching& matching, int room,
+                     int threads)
     : height(left_image.height),
       columns(block_matching::cost_columns(left_image.width, matching.window_costs())),
       left_stride(columns + matching.disparities - 1 + room),
@@ -35,11 +36,11 @@ PixelRows::PixelRows(const GrayImage& left_image, const GrayImage& right_image, 
    if (matching.cost == Cost::census) {
       const int census_width = matching.census_width_px, census_height = matching.census_height_px;
       planes = (census_width * census_height - 1 + 7) / 8;
-      copy(fast::census_planes(left_image, census_width, census_height),
-           fast::census_planes(right_image, census_width, census_height));
+      copy(fast::census_planes(left_image, census_width, census_height, threads),
+           fast::census_planes(right_image, census_width, census_height, threads));
    } else if (matching.prefilter == Prefilter::xsobel) {
-      copy(fast::prefilter_xsobel(left_image, matching.prefilter_cap).pixels,
-           fast::prefilter_xsobel(right_image, matching.prefilter_cap).pixels);
+      copy(fast::prefilter_xsobel(left_image, matching.prefilter_cap, threads).pixels,
+           fast::prefilter_xsobel(right_image, matching.prefilter_cap, threads).pixels);
    } else {
       copy(left_image.pixels, right_image.pixels);
    }

@@ -12,7 +12,8 @@ namespace stereo::semi_global {
 /// What is compared, in planes of bytes: the grey values or filtered pixels in one plane, or the census transforms,
 /// eight bits a plane. Cost column x compares right[x] with left[x + d], whatever the smallest disparity.
 struct PixelRows {
-   PixelRows(const GrayImage& left_image, const GrayImage& right_image, const Matching& matching, int room);
+   PixelRows(const GrayImage& left_image, const GrayImage& right_image, const Matching& matching, int room,
+             int threads);
 
    const uint8_t* left_row(int plane, int y) const { return row(left, left_stride, plane, y); }
    const uint8_t* right_row(int plane, int y) const { return row(right, right_stride, plane, y); }

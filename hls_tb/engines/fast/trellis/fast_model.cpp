@@ -4,6 +4,7 @@
 #include "definition/mirror.hpp"
 #include "definition/semi_global/matching_input.hpp"
 #include "definition/trellis/matching_input.hpp"
+#include "engines/fast/bands.hpp"
 #include "engines/fast/median.hpp"
 #include "engines/fast/semi_global/path_costs.hpp"
 
@@ -31,8 +32,9 @@ class Matcher {
          far_(std::size_t(lanes_)),
          decisions_(costs_.size()) {}
 
-   STEREO_INTO_CLONES void match() {
-      for (int y = 0; y < map_.height; ++y) {
+   STEREO_INTO_CLONES void match(int first, int end) {
+      window_costs_.go_to(first);
+      for (int y = first; y < end; ++y) {
          window_costs_.next_row(costs_.data(), smallest_.data());
          trace_back(y, forward());
       }
@@ -114,24 +116,25 @@ class Matcher {
 };
 
 STEREO_VECTOR_CLONES void match_bytes(const semi_global::PixelRows& pixels, const semi_global::Matching& costs,
-                                      const Matching& matching, DisparityMap& map) {
-   Matcher<uint8_t>(pixels, costs, matching, map).match();
+                                      const Matching& matching, DisparityMap& map, int first, int end) {
+   Matcher<uint8_t>(pixels, costs, matching, map).match(first, end);
 }
 STEREO_VECTOR_CLONES void match_squares(const semi_global::PixelRows& pixels, const semi_global::Matching& costs,
-                                        const Matching& matching, DisparityMap& map) {
-   Matcher<uint16_t>(pixels, costs, matching, map).match();
+                                        const Matching& matching, DisparityMap& map, int first, int end) {
+   Matcher<uint16_t>(pixels, costs, matching, map).match(first, end);
 }
 
 }  // namespace
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
    const semi_global::Matching costs = semi_global::mirrored(matching.path_costs());
-   const semi_global::PixelRows pixels(stereo::mirrored(right), stereo::mirrored(left), costs, kVector);
+   const semi_global::PixelRows pixels(stereo::mirrored(right), stereo::mirrored(left), costs, kVector, threads);
    DisparityMap map(pixels.columns, pixels.height);
-   if (matching.cost == Cost::ssd) match_squares(pixels, costs, matching, map);
-   else match_bytes(pixels, costs, matching, map);
-   return matching.median ? fast::median_3x3(map) : map;
+   const auto match = matching.cost == Cost::ssd ? match_squares : match_bytes;
+   fast::for_each_band(map.height, threads,
+                       [&](int first, int end) { match(pixels, costs, matching, map, first, end); });
+   return matching.median ? fast::median_3x3(map, threads) : map;
 }
 
 }  // namespace stereo::trellis

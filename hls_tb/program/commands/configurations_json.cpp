@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "program/commands/configurations_json.hpp"
+
+#include "engines/configurations.hpp"
+#include "engines/families.hpp"
+#include "program/commands/options_json.hpp"
+
+namespace stereo::app {
+namespace {
+
+nlohmann::json json_of(const OptionLimits& option) {
+   nlohmann::json json;
+   std::visit([&](const auto& value) { json["default"] = value; }, option.standard.value);
+   if (!option.words.empty()) {
+      json["words"] = option.words;
+      return json;
+   }
+   json["low"] = option.low ? nlohmann::json(*option.low) : nlohmann::json();
+   json["high"] = option.high ? nlohmann::json(*option.high) : nlohmann::json();
+   json["meaning"] = option.meaning;
+   return json;
+}
+
+nlohmann::json as_json(const Configuration& entry) {
+   const CoreShape& shape = entry.shape;
+   nlohmann::json json = options_json(entry.options), changed = nlohmann::json::array();
+   for (const OptionValue& option : entry.changed)
+      std::visit(
+          [&](const auto& value) {
+             const nlohmann::json text = value;
+             changed.push_back(option.name + " " + (text.is_string() ? text.get<std::string>() : text.dump()));
+          },
+          option.value);
+   json.update({{"family", entry.family},
+                {"use", entry.use},
+                {"source_folder", entry.source_folder},
+                {"description", entry.description()},
+                {"options", changed},
+                {"disparities", entry.algorithm->map_geometry(shape.image.width_px).disparities},
+                {"disparity_bits", shape.disparity_bits},
+                {"output_width_px", shape.output_width_px},
+                {"output_height_px", shape.image.height_px},
+                {"latency_clocks", shape.schedule.latency_clocks},
+                {"groups_to_first_output", shape.schedule.groups_to_first_output},
+                {"flush_groups", shape.schedule.flush_groups},
+                {"gap_groups", shape.schedule.gap_groups}});
+   return json;
+}
+
+}  // namespace
+
+nlohmann::json configurations_json() {
+   nlohmann::json all;
+   for (const Configuration& entry : configurations()) all[entry.name] = as_json(entry);
+   return all;
+}
+
+nlohmann::json families_json() {
+   nlohmann::json all;
+   for (const Family& family : families())
+      for (const OptionLimits& option : family.defaults->limits())
+         all[family.name][option.standard.name] = json_of(option);
+   return all;
+}
+
+}  // namespace stereo::app

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The Python module stereo_hls (hls_tb/python), built from these sources in a virtual environment of its own."""
+
+import fcntl
+import os
+from pathlib import Path
+
+from . import venv
+from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
+from .tools import ROOT, Say, Word, run
+
+REQUIREMENTS = ROOT / "scripts" / "requirements-python.txt"
+_HEADER = "import sysconfig; print(sysconfig.get_path('include') + '/Python.h')"
+
+
+def install(say: Say = print) -> Path:
+    """The folder bin/ of build/venv-python, with the module as the sources are now."""
+    programs = venv.ensure("venv-python", REQUIREMENTS, "what builds the Python module", say)
+    python = programs / "python3"
+    if not os.path.isfile(run([python, "-c", _HEADER]).strip()):
+        raise FlowError("Python.h not found; on Debian: apt-get install python3-dev", EXIT_MISSING_TOOL)
+    say("building the Python module into build/python ...")
+    log = ROOT / "build" / "python-module.log"
+    # The packages that build it are in the environment already: so they have the same path each time, and what is
+    # compiled stays.
+    words: list[Word] = [
+        "-m",
+        "pip",
+        "install",
+        "--disable-pip-version-check",
+        "--no-build-isolation",
+        "--no-deps",
+        ROOT,
+    ]
+    with (ROOT / "build" / "python-module.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        try:
+            run([python, *words], log=log)
+        except FlowError:
+            raise FlowError(f"the Python module cannot be built; see {log}", EXIT_TOOL_FAILED) from None
+    return programs
+
+
+def site_packages(programs: Path) -> Path:
+    """Where the module stands, for an interpreter of the same version."""
+    return Path(run([programs / "python3", "-c", "import sysconfig; print(sysconfig.get_path('platlib'))"]).strip())
