@@ -10,17 +10,18 @@
 #include "definition/dynamic_range/search_windows.hpp"
 #include "definition/phase_correlation/models.hpp"
 #include "definition/stages.hpp"
+#include "engines/fast/bands.hpp"
 #include "engines/fast/phase_correlation/phase_codes.hpp"
 
 namespace stereo::dynamic_range {
 namespace {
 
-DisparityMap fast_coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap fast_coarse_map(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    const GrayImage coarse_left = coarse_image(left, matching.coarse_disparities());
    const GrayImage coarse_right = coarse_image(right, matching.coarse_disparities());
    return matching.codes == Codes::phase
-              ? phase_correlation::match_fast(coarse_left, coarse_right, matching.coarse_phase())
-              : block_matching::match_fast(coarse_left, coarse_right, matching.coarse_census());
+              ? phase_correlation::match_fast(coarse_left, coarse_right, matching.coarse_phase(), threads)
+              : block_matching::match_fast(coarse_left, coarse_right, matching.coarse_census(), threads);
 }
 
 /// The cost of two is the number of bits in which they differ.
@@ -30,11 +31,11 @@ std::vector<uint64_t> weighted_codes(const GrayImage& image, const Matching& mat
               : census_transform(image, matching.census_width_px, matching.census_height_px).bits;
 }
 
-/// One search window, row by row from the top.
+/// One search window, row by row.
 class Track {
   public:
    Track(std::span<const uint64_t> left, std::span<const uint64_t> right, int width, int height,
-         const Blocks<int>& targets, const Matching& matching)
+         const Blocks<int>& targets, const Matching& matching, int first_row)
        : left_(left),
          right_(right),
          width_(width),
@@ -46,10 +47,10 @@ class Track {
          column_sums_(std::size_t(cost_columns_) * std::size_t(lanes_)),
          sums_(column_sums_.size()) {
       for (int y = 0; y < height; y += Matching::kBlock) bases_.push_back(window_bases(targets, y, width, matching));
-      for (int y = 0; y < after_ && y < height_; ++y) add_row(y, 1);
+      for (int y = std::max(first_row - before_ - 1, 0); y < std::min(first_row + after_, height_); ++y) add_row(y, 1);
    }
 
-   /// To be called for y = 0, 1, 2 ...
+   /// To be called for neighbouring rows, the first one being that of the constructor.
    void sum_row(int y) {
       if (y + after_ < height_) add_row(y + after_, 1);
       if (y - before_ - 1 >= 0) add_row(y - before_ - 1, -1);
@@ -98,29 +99,32 @@ int in_sixteenths(std::span<const int> sums, int lane) {
    return (256 * lane + offset + 15) >> 4;
 }
 
+uint16_t better(const Track& low, const Track& high, int x, int y, bool subpixel) {
+   const std::span<const int> of_low = low.sums(x), of_high = high.sums(x);
+   const auto best_low = std::min_element(of_low.begin(), of_low.end()),
+              best_high = std::min_element(of_high.begin(), of_high.end());
+   const bool takes_low = *best_high >= *best_low;
+   const int base = (takes_low ? low : high).base(x, y);
+   const int lane = takes_low ? int(best_low - of_low.begin()) : int(best_high - of_high.begin());
+   return uint16_t(subpixel ? 16 * base + in_sixteenths(takes_low ? of_low : of_high, lane) : base + lane);
+}
+
 }  // namespace
 
-DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+DisparityMap match_fast(const GrayImage& left, const GrayImage& right, const Matching& matching, int threads) {
    check_matching_input(left, right, matching);
-   const Targets targets = search_targets(block_ranges(fast_coarse_map(left, right, matching)), matching);
+   const Targets targets = search_targets(block_ranges(fast_coarse_map(left, right, matching, threads)), matching);
    const std::vector<uint64_t> l = weighted_codes(left, matching), r = weighted_codes(right, matching);
-   Track low(l, r, left.width, left.height, targets.low, matching);
-   Track high(l, r, left.width, left.height, targets.high, matching);
    DisparityMap map(left.width - matching.window_disparities, left.height, 0, matching.subpixel);
-   for (int y = 0; y < map.height; ++y) {
-      low.sum_row(y);
-      high.sum_row(y);
-      for (int x = 0; x < map.width; ++x) {
-         const std::span<const int> of_low = low.sums(x), of_high = high.sums(x);
-         const auto best_low = std::min_element(of_low.begin(), of_low.end()),
-                    best_high = std::min_element(of_high.begin(), of_high.end());
-         const bool takes_low = *best_high >= *best_low;
-         const std::span<const int> sums = takes_low ? of_low : of_high;
-         const int lane = takes_low ? int(best_low - of_low.begin()) : int(best_high - of_high.begin());
-         const int base = (takes_low ? low : high).base(x, y);
-         map.at(x, y) = uint16_t(matching.subpixel ? 16 * base + in_sixteenths(sums, lane) : base + lane);
+   fast::for_each_band(map.height, threads, [&](int first, int end) {
+      Track low(l, r, left.width, left.height, targets.low, matching, first);
+      Track high(l, r, left.width, left.height, targets.high, matching, first);
+      for (int y = first; y < end; ++y) {
+         low.sum_row(y);
+         high.sum_row(y);
+         for (int x = 0; x < map.width; ++x) map.at(x, y) = better(low, high, x, y, matching.subpixel);
       }
-   }
+   });
    return map;
 }
 

@@ -48,6 +48,10 @@ TEST(DynamicRangeFastModel, EqualsTheReferenceWithAnyOptions) {
       ASSERT_TRUE(
           same_map(match_reference(pair.left, pair.right, matching), match_fast(pair.left, pair.right, matching)))
           << i << ": " << width << 'x' << height << ' ' << describe(matching);
+      const int threads = 2 + random.below(6);
+      ASSERT_TRUE(
+          same_map(match_fast(pair.left, pair.right, matching), match_fast(pair.left, pair.right, matching, threads)))
+          << i << ": " << threads << " threads, " << width << 'x' << height << ' ' << describe(matching);
    }
 }
 
