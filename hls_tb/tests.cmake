@@ -48,6 +48,10 @@ stereo_add_unit_tests(
   blocks/block_matching/config_test.cpp
   blocks/block_matching/disparity_slice_test.cpp
   blocks/block_matching/texture_test.cpp
+  blocks/dynamic_range/coarse_pixels_test.cpp
+  blocks/dynamic_range/search_rows_test.cpp
+  blocks/dynamic_range/stream_delay_test.cpp
+  blocks/dynamic_range/window_targets_test.cpp
   blocks/phase_correlation/phase_transform_test.cpp
   blocks/phase_correlation/phase_distance_test.cpp
   blocks/semi_global/config_test.cpp
@@ -75,10 +79,13 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/dynamic_range/reference_model_test.cpp
+  definition/dynamic_range/search_windows_test.cpp
   definition/phase_correlation/reference_model_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
+  engines/fast/dynamic_range/fast_model_test.cpp
   engines/fast/phase_correlation/fast_model_test.cpp
   engines/fast/semi_global/fast_model_test.cpp
   engines/fast/trellis/fast_model_test.cpp

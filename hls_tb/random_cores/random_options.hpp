@@ -62,11 +62,18 @@ struct RowWriter {
    }
 };
 
+/// Pixels of the images that a test takes.
+template <class Config>
+constexpr int largest_image() {
+   if constexpr (requires { Config::kLeastPixels; }) return 3 * Config::kLeastPixels;
+   else return 1500;
+}
+
 /// Whether a core of the configuration can be built, and is small enough for a test.
 template <class Config>
 bool can_be_tested(const Config& config) {
-   constexpr int kLargestImage = 1500, kLargestRange = 40;
-   if (config.width_px * config.height_px > kLargestImage || !config.problem().empty()) return false;
+   if (config.width_px * config.height_px > largest_image<Config>() || !config.problem().empty()) return false;
+   constexpr int kLargestRange = 40;
    if constexpr (requires { config.disparities; }) return config.disparities <= kLargestRange;
    else return true;
 }

@@ -17,7 +17,9 @@ TALL_CENSUS = (
 )
 
 
-@pytest.mark.parametrize("family, count", [("block_matching", 8), ("phase_correlation", 4), ("absolute_difference", 4)])
+@pytest.mark.parametrize(
+    "family, count", [("block_matching", 8), ("phase_correlation", 4), ("dynamic_range", 3), ("absolute_difference", 4)]
+)
 def test_new_random_configurations_are_exact(family, count):
     process = call("random_configurations.py", "--family", family, "--count", count)
     assert process.returncode == 0, process.stdout + process.stderr

@@ -64,6 +64,8 @@ OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("phase correlation, 3 scales, window 9x9", "parts_320", (*_PHASE, "phase_scales=3")),
     ("phase correlation, 2 scales, window 9x9, median", "parts_320", (*_PHASE, "median=true")),
     ("phase correlation, 2 scales, window 9x9, right reference", "parts_320", ()),
+    ("dynamic range, phase of 2 scales, window 9x9, right reference", "masrani_640", ()),
+    ("dynamic range, census 5x5, window 9x9, right reference", "masrani_640", ("codes=census",)),
 ]
 # Of the base configurations.
 _FAMILY = {
@@ -71,6 +73,7 @@ _FAMILY = {
     "sgm_640": "semi_global",
     "trellis_1300": "trellis",
     "parts_320": "phase_correlation",
+    "masrani_640": "dynamic_range",
 }
 _OTHERS = "block_matching"
 PAIR_DISPARITIES = 48
@@ -88,6 +91,7 @@ CAMERA_ROWS = (
     "phase correlation, 1 scale, window 9x9",
     "phase correlation, 2 scales, window 9x9",
     "phase correlation, 3 scales, window 9x9",
+    "dynamic range, phase of 2 scales, window 9x9, right reference",
 )
 CAMERA_OPENCV = ("bm", "sgbm")
 _GAIN: tuple[Word, ...] = ("--gain", 0.8, "--offset", 10)

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "dynamic_range/block_ranges.hpp"
+#include "dynamic_range/centre_base.hpp"
+#include "dynamic_range/coarse_pixels.hpp"
+#include "dynamic_range/coarse_search.hpp"
+#include "dynamic_range/compared_rows.hpp"
+#include "dynamic_range/config.hpp"
+#include "dynamic_range/search_rows.hpp"
+#include "dynamic_range/search_window.hpp"
+#include "dynamic_range/stream_delay.hpp"
+#include "dynamic_range/track_choice.hpp"
+#include "dynamic_range/window_bases.hpp"
+#include "dynamic_range/window_targets.hpp"
+#include "frontend/pair_delay.hpp"
+#include "frontend/raster.hpp"
+#include "frontend/transform.hpp"
+#include "phase_correlation/phase_distance.hpp"
+#include "phase_correlation/phase_transform.hpp"
+#include "support/schedule.hpp"
+#include "winner/map_group.hpp"
+#include "winner/refinement.hpp"
+
+namespace stereo::dynamic_range {
+
+/// When things happen between the coarse images and the search windows, in groups from the start of a frame on.
+template <const Config& C>
+struct Timing {
+   using Coarse = typename CoarseSearch<C>::Core;
+   static constexpr int kCoarseWidth = kCoarseConfig<C>.width_px;
+
+   /// The group that brings the coarse core its group number `n`.
+   static constexpr int arrival(int n) {
+      const int row = n / kCoarseWidth, column = n % kCoarseWidth, side = Config::kCoarse;
+      const int last = C.coarse_columns() - 1;
+      return (side * row + side - 1) * C.width_px +
+             (column <= last ? side * column + side - 1 : C.width_px - 1 + column - last);
+   }
+   /// The same for what brings the last pixel of a row of the coarse map.
+   static constexpr int row_of_map(int row) {
+      return arrival(Coarse::kSchedule.groups_to_first_output - 1 + row * kCoarseWidth + C.coarse_columns() - 1);
+   }
+   /// From there to the targets: as many clocks, and at most as many groups.
+   static constexpr int kClocks = CoarsePixels<C>::kClocks + Coarse::kSchedule.latency_clocks + 2 + C.coarse_columns() +
+                                  2 + BlockRanges<C>::kClocks + WindowTargets<C>::kClocks;
+   /// The targets of a frame's first band: they need the row of blocks below it, and that the row of the map below
+   /// that.
+   static constexpr int kFirstTargets = row_of_map(2 * Config::kBlock / Config::kCoarse) + kClocks;
+   /// Rows from a frame's end to its last coarse group: until then, no other frame may start.
+   static constexpr int kGapRows =
+       (row_of_map(C.coarse_rows() - 1) + 1 - C.height_px * C.width_px + C.width_px - 1) / C.width_px;
+};
+
+/// The core with a dynamic range: one call of `clock` is one clock of the hardware. docs/algorithm.md defines the
+/// result.
+///
+/// Input: W*H records a frame, any number of bubbles between them. Output: map width * H records, some 45 rows later:
+/// the images are held back until it is known where the search windows go. After the last row of a frame come
+/// kSchedule.gap_groups pairs of any valid pixels without start of frame, then the next frame, or
+/// kSchedule.flush_groups. There is no back-pressure: a record a clock is always taken.
+template <const Config& C>
+struct Core {
+   static_assert(kCanBeBuilt<C>);
+   static constexpr const Config& kConfig = C;
+   using Matching = dynamic_range::Matching;
+   static constexpr const auto& kWindow = kWindowConfig<C>;
+
+   using Transform = std::conditional_t<C.codes == Codes::phase, phase_correlation::PhaseTransform<kWindowConfig<C>>,
+                                        stereo::Transform<kWindowConfig<C>>>;
+   using Bases = WindowBases<C>;
+   using Rows = SearchRows<C, kWindowConfig<C>>;
+   using Window = SearchWindow<C, kWindowConfig<C>>;
+   using Pairs = PairDelay<kWindowConfig<C>>;
+   using Compared =
+       ComparedRows<C, kWindowConfig<C>, Bases::kClocks + Rows::kClocks + Window::Chain::kClocks - Pairs::kClocks>;
+   using Centre = CentreBase<C, Rows::kClocks + Window::kClocks>;
+   using Choice = TrackChoice<C, kWindowConfig<C>>;
+   using Refine = Refinement<kWindowConfig<C>>;
+
+   static constexpr int kHeldBack = Timing<C>::kFirstTargets - Transform::kLagGroups - C.ahead_groups();
+   static_assert(kHeldBack > 0);
+   using HoldBack = StreamDelay<16, kHeldBack>;
+   using Ahead = StreamDelay<kWindow.feature_bits(), C.ahead_groups()>;
+
+   //            a pixel pair
+   //                 |
+   //   clocks   coarse_pixels             5           means of 4x4 pixels, at their rate from here on
+   //            coarse                                a core that searches the whole range
+   //            ranges                    9           surfaces of each block of 8x8 pixels
+   //            targets                               where the search windows should begin
+   //                                                  beside it:
+   //            hold_back                 1           some 45 rows
+   //            transform                             codes
+   //            ahead                     1           the whole range of searched codes comes first
+   //            raster                    1           place in the frame
+   //            bases                     5           where the search windows stand
+   //            rows                      5           the codes that they take in
+   //            low, high                             costs, sums and winners of the two search windows
+   //            choice                    1           the better one
+   //            refinement                0 or 12     subpixel
+   //            map                       1
+   //                 |
+   //            a disparity
+   static constexpr int kLatency = HoldBack::kClocks + Transform::kClocks + Ahead::kClocks +
+                                   Raster<kWindowConfig<C>>::kClocks + Bases::kClocks + Rows::kClocks +
+                                   Window::kClocks + Choice::kClocks + Refine::kClocks + 1;
+   /// Valid groups that the blocks hold back, up to a row's first window centre and the columns after it.
+   static constexpr int kGroupsToFirstOutput = HoldBack::kLagGroups + Transform::kLagGroups + Ahead::kLagGroups +
+                                               kWindow.delay_groups() * C.width_px + kWindow.first_map_column() +
+                                               kWindow.columns_after() + 1;
+   static constexpr int kCoarseGap = Timing<C>::kGapRows * C.width_px;
+   static constexpr Schedule kSchedule =
+       raster_schedule(C, C.output_width_px(), kLatency, kGroupsToFirstOutput,
+                       kCoarseGap > kWindow.gap_groups() ? kCoarseGap : kWindow.gap_groups());
+
+   CoarsePixels<C> coarse_pixels;
+   CoarseSearch<C> coarse;
+   BlockRanges<C> ranges;
+   WindowTargets<C> targets;
+   HoldBack hold_back;
+   Transform transform;
+   Ahead ahead;
+   Raster<kWindowConfig<C>> raster;
+   Bases bases;
+   Rows rows;
+   Pairs pairs;
+   Compared compared;
+   Window low, high;
+   Centre centre;
+   Choice choice;
+   Refine refinement;
+   uint16_t base[Refine::kClocks + 1];  ///< [j]: of the choice j clocks ago; [0] is not used
+   MapGroup<kWindowConfig<C>> map;
+
+   // The first memory number of each block.
+   static constexpr int kCoarseMemory = CoarsePixels<C>::kMemories;
+   static constexpr int kRangesMemory = kCoarseMemory + CoarseSearch<C>::kMemories;
+   static constexpr int kTargetsMemory = kRangesMemory + BlockRanges<C>::kMemories;
+   static constexpr int kHoldBackMemory = kTargetsMemory + WindowTargets<C>::kMemories;
+   static constexpr int kTransformMemory = kHoldBackMemory + HoldBack::kMemories;
+   static constexpr int kAheadMemory = kTransformMemory + Transform::kMemories;
+   static constexpr int kBasesMemory = kAheadMemory + Ahead::kMemories;
+   static constexpr int kRowsMemory = kBasesMemory + Bases::kMemories;
+   static constexpr int kPairsMemory = kRowsMemory + Rows::kMemories;
+   static constexpr int kComparedMemory = kPairsMemory + Pairs::kMemories;
+   static constexpr int kLowMemory = kComparedMemory + Compared::kMemories;
+   static constexpr int kHighMemory = kLowMemory + Window::kMemories;
+
+   /// `memories`: see MemoryBank.
+   template <class Source>
+   HLS_INLINE explicit Core(Source& memories)
+       : coarse_pixels(memories, MemoryId<0>()),
+         coarse(memories, MemoryId<kCoarseMemory>()),
+         ranges(memories, MemoryId<kRangesMemory>()),
+         targets(memories, MemoryId<kTargetsMemory>()),
+         hold_back(memories, MemoryId<kHoldBackMemory>()),
+         transform(memories, MemoryId<kTransformMemory>()),
+         ahead(memories, MemoryId<kAheadMemory>()),
+         bases(memories, MemoryId<kBasesMemory>()),
+         rows(memories, MemoryId<kRowsMemory>()),
+         pairs(memories, MemoryId<kPairsMemory>()),
+         compared(memories, MemoryId<kComparedMemory>()),
+         low(memories, MemoryId<kLowMemory>()),
+         high(memories, MemoryId<kHighMemory>()) {
+      fill(base, uint16_t(0));
+   }
+
+   /// In data-flow order.
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit.block("coarse_pixels", coarse_pixels);
+      visit.block("coarse", coarse);
+      visit.block("ranges", ranges);
+      visit.block("targets", targets);
+      visit.block("hold_back", hold_back);
+      visit.block("transform", transform);
+      visit.block("ahead", ahead);
+      visit.block("raster", raster);
+      visit.block("bases", bases);
+      visit.block("rows", rows);
+      visit.block("pairs", pairs);
+      visit.block("compared", compared);
+      visit.block("low", low);
+      visit.block("high", high);
+      visit.block("centre", centre);
+      visit.block("choice", choice);
+      visit.block("refinement", refinement);
+      visit("base", base);
+      visit("map", map);
+   }
+
+   /// What the registers show in this clock. Does not depend on this clock's input.
+   HLS_INLINE StereoOutput output() const { return shown(map); }
+
+   /// The clock edge. Last block first: each reads what the block before it held until now.
+   HLS_INLINE void clock(const StereoInput& in) {
+      show();
+      refinement.clock(choice, NoTexture());
+      const auto &low_root = low.winner.root(), &high_root = high.winner.root();
+      choice.clock(low_root.best.get(0, 0), high_root.best.get(0, 0), low_root.tag, centre.base(kLow),
+                   centre.base(kHigh));
+      centre.clock(bases);
+      const Seen seen = compared_now();
+      low.clock(rows, kLow, seen, compared.early_tag().valid);
+      high.clock(rows, kHigh, seen, compared.early_tag().valid);
+      compared.clock(pairs);
+      pairs.clock(raster);
+      const FeatureGroup<kWindowConfig<C>> newest = transform.output();
+      rows.clock(newest, bases);
+      bases.clock(raster.features.valid, raster.place, targets);
+      raster.clock(behind());
+      ahead.clock(newest.reference[0], newest.start_of_frame, newest.valid);
+      transform.clock(held_back());
+      hold_back.clock(uint16_t(in.left[0] | in.right[0] << 8), in.start_of_frame, in.valid);
+      targets.clock(ranges);
+      ranges.clock(coarse.output());
+      coarse.clock(coarse_pixels.out);
+      coarse_pixels.clock(in);
+   }
+
+  private:
+   struct NoTexture {};
+   struct Seen {
+      Feature<kWindowConfig<C>> reference[2];
+      bool inside[2];
+      PixelTag tag;
+   };
+
+   HLS_INLINE Seen compared_now() const {
+      Seen seen;
+      HLS_UNROLL
+      for (int tap = 0; tap < 2; ++tap) {
+         seen.reference[tap] = compared.shown().reference[tap];
+         seen.inside[tap] = compared.shown().inside[tap];
+      }
+      seen.tag = compared.tag();
+      return seen;
+   }
+
+   HLS_INLINE StereoInput held_back() const {
+      StereoInput in;
+      in.left[0] = uint8_t(hold_back.data());
+      in.right[0] = uint8_t(hold_back.data() >> 8);
+      in.start_of_frame = hold_back.start_of_frame();
+      in.valid = hold_back.valid;
+      return in;
+   }
+
+   HLS_INLINE FeatureGroup<kWindowConfig<C>> behind() const {
+      FeatureGroup<kWindowConfig<C>> group;
+      group.reference[0] = ahead.data();
+      group.start_of_frame = ahead.start_of_frame();
+      group.valid = ahead.valid;
+      return group;
+   }
+
+   HLS_INLINE void show() {
+      map = map_group<kWindowConfig<C>>(refinement.output(choice, NoTexture()));
+      map.disparity[0] = uint16_t(map.disparity[0] + C.steps_per_pixel() * base_of<Refine::kClocks>());
+      HLS_UNROLL
+      for (int j = Refine::kClocks; j > 0; --j) base[j] = j == 1 ? choice.base : base[j - 1];
+   }
+   /// Of the choice so many clocks ago.
+   template <int Clocks>
+   HLS_INLINE uint16_t base_of() const {
+      if constexpr (Clocks == 0) return choice.base;
+      else return base[Clocks];
+   }
+};
+
+}  // namespace stereo::dynamic_range

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a user of the hardware top names: the core of this family and its named configurations.
+#pragma once
+
+#include "dynamic_range/configurations.hpp"
+#include "dynamic_range/core.hpp"

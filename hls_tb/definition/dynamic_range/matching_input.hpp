@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What follows from the options of matching with a dynamic range and the size of the images, by definition
+// (docs/algorithm.md).
+#pragma once
+
+#include <string>
+
+#include "definition/gray_image.hpp"
+#include "definition/map_geometry.hpp"
+#include "dynamic_range/matching.hpp"
+
+namespace stereo::dynamic_range {
+
+/// Throws std::invalid_argument with one sentence when the pair cannot be matched with these options.
+void check_matching_input(const GrayImage& left, const GrayImage& right, const Matching& matching);
+
+/// The map has all columns but as many as a search window has disparities.
+MapGeometry map_geometry(const Matching& matching, int image_width);
+
+/// Such as "128 disparities by two windows of 16, window 9x9, phase of 2 scales".
+std::string describe(const Matching& matching);
+
+}  // namespace stereo::dynamic_range

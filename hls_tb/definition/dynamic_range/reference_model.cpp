@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "definition/dynamic_range/reference_model.hpp"
+
+#include <bit>
+
+#include "definition/dynamic_range/matching_input.hpp"
+#include "definition/dynamic_range/search_windows.hpp"
+#include "definition/phase_correlation/reference_model.hpp"
+
+namespace stereo::dynamic_range {
+namespace {
+
+/// What one search window gives: sums, their winners, and where they stand.
+struct Track {
+   CostVolume sums;
+   DisparityMap best;     ///< lanes
+   DisparityMap refined;  ///< lanes, in sixteenths with subpixel
+   Blocks<int> bases;     ///< of each pixel of the map
+};
+
+/// Y6, Y7. A lane keeps its meaning within a sum: each pixel of the window is compared from its own base on.
+Track follow(const CensusImage& left, const CensusImage& right, const Blocks<int>& targets, const Matching& matching) {
+   const int lanes = matching.window_disparities;
+   CostVolume costs(right.width - lanes + 1, right.height, lanes);
+   Track track;
+   track.bases = Blocks<int>(costs.width, costs.height);
+   for (int y = 0; y < costs.height; ++y) {
+      const std::vector<int> bases = window_bases(targets, y, right.width, matching);
+      for (int x = 0; x < costs.width; ++x) {
+         const int base = bases[std::size_t(x)];
+         track.bases.at(x, y) = base;
+         for (int i = 0; i < lanes; ++i)
+            costs.at(x, y, i) = code_cost(right.at(x, y), left.at(x + base + i, y), matching);
+      }
+   }
+   track.sums = window_sums(costs, matching.window_px);
+   track.best = winners(track.sums);
+   track.refined = matching.subpixel ? subpixel_disparities(track.sums, track.best) : track.best;
+   return track;
+}
+
+}  // namespace
+
+CensusImage codes_of(const GrayImage& image, const Matching& matching) {
+   return matching.codes == Codes::phase ? phase_correlation::phase_codes(image, matching.phase_scales)
+                                         : census_transform(image, matching.census_width_px, matching.census_height_px);
+}
+
+int code_cost(uint64_t a, uint64_t b, const Matching& matching) {
+   return matching.codes == Codes::phase ? phase_correlation::code_cost(a, b, matching.phase_scales)
+                                         : std::popcount(a ^ b);
+}
+
+DisparityMap match_reference(const GrayImage& left, const GrayImage& right, const Matching& matching) {
+   check_matching_input(left, right, matching);
+   const Targets targets = search_targets(block_ranges(coarse_map(left, right, matching)), matching);
+   const CensusImage l = codes_of(left, matching), r = codes_of(right, matching);
+   const Track low = follow(l, r, targets.low, matching), high = follow(l, r, targets.high, matching);
+   DisparityMap map(low.best.width, low.best.height, 0, matching.subpixel);
+   for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+         const bool far = high.sums.at(x, y, high.best.at(x, y)) >= low.sums.at(x, y, low.best.at(x, y));
+         const Track& track = far ? low : high;
+         map.at(x, y) = uint16_t(map.steps_per_pixel() * track.bases.at(x, y) + track.refined.at(x, y));
+      }
+   return map;
+}
+
+}  // namespace stereo::dynamic_range
