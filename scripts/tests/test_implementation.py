@@ -13,8 +13,9 @@ CONFIGURATIONS = [name for name in rtl.known_configurations() if record.read(rtl
 PAPER_ALUTS = 15_616  # Ambrosch et al. 2007
 MOST_MEMORY_BITS = 81_920  # of the paper's 884,736; most of them signs of differences
 LEAST_MHZ = {"ambrosch2007": 130, "ambrosch2007_p2": 110, "ambrosch2007_p4": 80}
-# Results of their new VHDL are not there yet: one seed takes over 20 minutes of processor time.
-WAITING = {("ambrosch2007_p4", "ecp5")}
+# Neither of nextpnr's routers ended within the time that it was given (README, what does not work yet).
+NOT_ROUTED = {("ambrosch2007_p4", "ecp5")}
+WIDER = [(pixels, target) for pixels in (2, 4) for target in FAMILIES]
 
 
 def committed(name, target=None):
@@ -27,7 +28,7 @@ def test_what_the_repository_says_of_itself_is_implemented():
     """The paper's core and the small ones on each target; each option of the study on the routed one."""
     wanted = {(name, family) for name in manifest.with_use("paper", "tiny") for family in FAMILIES}
     wanted |= {(name, "ecp5") for name in manifest.with_use("study")}
-    assert {(name, target) for name, target in wanted if not has(name, target)} == WAITING
+    assert {(name, target) for name, target in wanted if not has(name, target)} == NOT_ROUTED
 
 
 def has(name, target):
@@ -71,18 +72,17 @@ def test_memory_bits():
         assert result["memory_bits"] <= MOST_MEMORY_BITS, target
 
 
-@pytest.mark.parametrize("name", [name for name in LEAST_MHZ if (name, "ecp5") not in WAITING])
+@pytest.mark.parametrize("name", [name for name in LEAST_MHZ if (name, "ecp5") not in NOT_ROUTED])
 def test_routed_clock(name):
     result = committed(name, "ecp5")
     assert len(result["seeds"]) >= (3 if name == "ambrosch2007" else 1)
     assert result["fmax_mhz"]["median"] >= LEAST_MHZ[name]
 
 
-@pytest.mark.parametrize("target", ["ecp5", "cyclonev", "xc7"])
-@pytest.mark.parametrize("pixels", [2, 4])
+@pytest.mark.parametrize(
+    "pixels, target", [one for one in WIDER if (f"ambrosch2007_p{one[0]}", one[1]) not in NOT_ROUTED]
+)
 def test_wider_input_shares_logic(pixels, target):
-    if (f"ambrosch2007_p{pixels}", target) in WAITING:
-        pytest.skip(f"SKIP: ambrosch2007_p{pixels} is not implemented on {target} yet")
     wide, narrow = (committed(name, target) for name in (f"ambrosch2007_p{pixels}", "ambrosch2007"))
     assert figures.lut_count(wide) < pixels * figures.lut_count(narrow)
 
