@@ -499,8 +499,9 @@ architecture rtl of stereo_core_tiny_sgm_lr_forward is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3, forward_first_4, forward_first_5, forward_first_6, forward_first_7, forward_first_8 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3, forward_first_4, forward_first_5, forward_first_6 : boolean;
+  signal forward_first_7, forward_first_8 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
@@ -1072,7 +1073,7 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_3, slice2cost_pixels_first_2_0_count_6_value : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_2, slice2cost_pixels_first_2_0_count_6_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_7_value, slice2cost_pixels_first_2_0_count_7_value_2 : boolean;
-    variable entry_next_column_all, forward_left_start_cost_0_value, forward_above_write_words_0_all : boolean;
+    variable entry_next_column_all, forward_left_start_cost_0_value, forward_above_writes_copy_0_choice : boolean;
     variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : boolean;
     variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_3 : boolean;
     variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_5 : boolean;
@@ -4972,6 +4973,8 @@ begin
         forward_cost_0_10 <= to_integer(forward_cost_delay_held_1(11 downto 8));
         forward_cost_0_11 <= to_integer(forward_cost_delay_held_1(15 downto 12));
       end if;
+      forward_above_writes_copy_0_choice := forward_above_comes_8 when entry_tag_valid else forward_above_comes_9;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_writes_copy_0_choice;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -4996,8 +4999,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -6940,6 +6942,7 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_words_0 <= to_unsigned(0, 32);
         forward_above_write_words_1 <= to_unsigned(0, 32);
         forward_above_write_column <= 0;

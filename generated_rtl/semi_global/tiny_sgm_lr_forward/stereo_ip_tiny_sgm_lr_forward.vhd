@@ -64,7 +64,7 @@ begin
       latency_clocks => 35,
       flush_groups => 142,
       gap_groups => 0,
-      core_id => x"a7c649a8",
+      core_id => x"ceee428f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

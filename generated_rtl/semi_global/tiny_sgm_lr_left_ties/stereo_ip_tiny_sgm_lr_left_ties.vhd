@@ -64,7 +64,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"d07e6ece",
+      core_id => x"2de98a0f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -506,8 +506,8 @@ architecture rtl of stereo_core_tiny_sgm_penalties is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_above_read_words_0, forward_above_read_words_1, forward_above_read_words_2 : unsigned(28 downto 0);
   signal forward_above_ready_words_0, forward_above_ready_words_1 : natural range 0 to 536870911;
   signal forward_above_ready_words_2, forward_above_write_words_0 : natural range 0 to 536870911;
@@ -550,16 +550,14 @@ architecture rtl of stereo_core_tiny_sgm_penalties is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 63;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 63;
   signal sums_right_smallest : natural range 0 to 63;
-  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
-  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
-  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
-  signal sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place : natural range 0 to 31;
@@ -1234,14 +1232,13 @@ begin
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
     variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_above_write_words_0_all : boolean;
-    variable sums_turn_write_sums_0_all, winnerswinner1_of_pair_0_0_is_less : boolean;
-    variable winnerswinner1_of_pair_0_2_is_less, winnerswinner1_of_pair_0_4_is_less : boolean;
-    variable winnerswinner1_of_pair_0_6_is_less, winnerswinner1_of_pair_0_8_is_less : boolean;
-    variable winnerswinner1_of_pair_0_10_is_less, winnerswinner1_of_four_0_0_is_less : boolean;
-    variable winnerswinner1_of_four_0_4_is_less, winnerswinner1_of_four_0_8_is_less : boolean;
-    variable winnerswinner2_of_pair_0_0_is_less, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_complete_any, turn_order_turned_output_column_all : boolean;
+    variable entry_order_turned_output_column_choice, sums_turn_writes_copy_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_is_less, winnerswinner1_of_pair_0_2_is_less : boolean;
+    variable winnerswinner1_of_pair_0_4_is_less, winnerswinner1_of_pair_0_6_is_less : boolean;
+    variable winnerswinner1_of_pair_0_8_is_less, winnerswinner1_of_pair_0_10_is_less : boolean;
+    variable winnerswinner1_of_four_0_0_is_less, winnerswinner1_of_four_0_4_is_less : boolean;
+    variable winnerswinner1_of_four_0_8_is_less, winnerswinner2_of_pair_0_0_is_less, turn_order_address_all : boolean;
+    variable turn_order_address_all_2, turn_order_complete_any, turn_order_turned_output_column_all : boolean;
     variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
@@ -4954,11 +4951,11 @@ begin
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
         forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= sums_turn_comes_4;
+        forward_above_comes_5 <= forward_above_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= sums_turn_comes_8;
+        forward_above_comes_9 <= forward_above_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -5039,6 +5036,8 @@ begin
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
+        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       forward_above_write_words_0_choice := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) < 0
         else forward_above_stay_2;
       forward_above_write_words_0_choice_2 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
@@ -5063,8 +5062,7 @@ begin
         0 else forward_above_stay_8;
       forward_above_write_words_2_choice_4 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
         0 else forward_above_stay_9;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= to_integer(((((((to_unsigned(forward_above_write_words_0_choice, 15) &
           to_unsigned(0, 14)) or (to_unsigned(forward_above_write_words_0_choice_2, 8) & to_unsigned(0, 21)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 29)))) or
@@ -5188,15 +5186,6 @@ begin
         sums_turn_ready_costs_2 <= to_integer(sums_turn_read_costs_2);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_column;
-        sums_turn_comes_0 <= entry_tag_map_column;
-        sums_turn_comes_1 <= sums_turn_comes_0;
-        sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= forward_above_comes_4;
-        sums_turn_comes_6 <= sums_turn_comes_5;
-        sums_turn_comes_7 <= sums_turn_comes_6;
-        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -5329,20 +5318,8 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
-        sums_turn_write_sums_0 <= (forward_sum_2 * 262144) + forward_sum_0 + (forward_sum_1 * 512);
-        sums_turn_write_sums_1 <= (forward_sum_5 * 262144) + forward_sum_3 + (forward_sum_4 * 512);
-        sums_turn_write_sums_2 <= (forward_sum_8 * 262144) + forward_sum_6 + (forward_sum_7 * 512);
-        sums_turn_write_sums_3 <= (forward_sum_11 * 262144) + forward_sum_9 + (forward_sum_10 * 512);
-        sums_turn_write_costs_0 <= (forward_cost_3_3 * 262144) + (forward_cost_3_4 * 16777216) + (forward_cost_3_2 *
-          4096) + forward_cost_3_0 + (forward_cost_3_1 * 64);
-        sums_turn_write_costs_1 <= (forward_cost_3_8 * 262144) + (forward_cost_3_9 * 16777216) + (forward_cost_3_7 *
-          4096) + forward_cost_3_5 + (forward_cost_3_6 * 64);
-        sums_turn_write_costs_2 <= (forward_cost_3_11 * 64) + forward_cost_3_10;
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 512;
       sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(26 downto 9))) mod 512;
       sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(26 downto 18))) mod 512;
@@ -5361,6 +5338,19 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 262144) + forward_sum_0 + (forward_sum_1 * 512);
+        sums_turn_write_sums_1 <= (forward_sum_5 * 262144) + forward_sum_3 + (forward_sum_4 * 512);
+        sums_turn_write_sums_2 <= (forward_sum_8 * 262144) + forward_sum_6 + (forward_sum_7 * 512);
+        sums_turn_write_sums_3 <= (forward_sum_11 * 262144) + forward_sum_9 + (forward_sum_10 * 512);
+        sums_turn_write_costs_0 <= (forward_cost_3_3 * 262144) + (forward_cost_3_4 * 16777216) + (forward_cost_3_2 *
+          4096) + forward_cost_3_0 + (forward_cost_3_1 * 64);
+        sums_turn_write_costs_1 <= (forward_cost_3_8 * 262144) + (forward_cost_3_9 * 16777216) + (forward_cost_3_7 *
+          4096) + forward_cost_3_5 + (forward_cost_3_6 * 64);
+        sums_turn_write_costs_2 <= (forward_cost_3_11 * 64) + forward_cost_3_10;
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_of_pair_0_0_is_less := (sums_sum_0_1 - sums_sum_0_0) < 0;
       winnerswinner1_of_pair_0_2_is_less := (sums_sum_0_3 - sums_sum_0_2) < 0;
@@ -5755,16 +5745,8 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        sums_turn_comes_0 <= false;
-        sums_turn_comes_1 <= false;
-        sums_turn_comes_2 <= false;
-        sums_turn_comes_3 <= false;
-        sums_turn_comes_4 <= false;
-        sums_turn_comes_5 <= false;
-        sums_turn_comes_6 <= false;
-        sums_turn_comes_7 <= false;
-        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -5774,6 +5756,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"0ae4a934",
+      core_id => x"64843bac",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
