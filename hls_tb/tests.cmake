@@ -53,6 +53,10 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
+  blocks/rectification/bilinear_test.cpp
+  blocks/rectification/config_test.cpp
+  blocks/rectification/core_test.cpp
+  blocks/rectification/quad_memory_test.cpp
   blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
@@ -73,6 +77,7 @@ stereo_add_unit_tests(
   definition/block_matching/opencv_stereo_bm_test.cpp
   definition/block_matching/reference_model_test.cpp
   definition/block_matching/reference_options_test.cpp
+  definition/rectification/reference_model_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
