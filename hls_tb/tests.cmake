@@ -92,6 +92,7 @@ stereo_add_unit_tests(
   program/io/child_process_test.cpp
   program/io/images_test.cpp
   program/io/pfm_test.cpp
+  program/rectification/map_table_test.cpp
   scene/scene_test.cpp
   testing/map_compare_test.cpp)
 
@@ -109,7 +110,7 @@ add_test(NAME config_accepts.nothing_wrong
                  "${CMAKE_CURRENT_SOURCE_DIR}/blocks/block_matching/config_rejected.cpp")
 set_tests_properties(config_accepts.nothing_wrong PROPERTIES LABELS unit)
 
-foreach(command IN ITEMS cli depth evaluate match video)
+foreach(command IN ITEMS cli depth evaluate match rectify video)
   stereo_add_pytest(NAME stereo_hls_${command} FILE
                     "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/stereo_hls_${command}_test.py" LABELS unit)
 endforeach()

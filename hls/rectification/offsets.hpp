@@ -47,7 +47,7 @@ struct Offsets {
       x.clock(across, place.weight_x.oldest(), place.weight_y.oldest());
       y.clock(down, place.weight_x.oldest(), place.weight_y.oldest());
       const Node word = Node((uint32_t(table.x) & kMask) | (uint32_t(table.y) & kMask) << kBits);
-      nodes.clock(place.node, table.valid && mine, {table.column, table.row}, word);
+      nodes.clock(place.node, table.valid & mine, {table.column, table.row}, word);
    }
 
   private:

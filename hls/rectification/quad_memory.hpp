@@ -81,11 +81,13 @@ struct QuadMemory {
       const uint16_t odd_row = uint16_t(read.row / 2);
       const uint16_t even_row = select<uint16_t>(read.row == Rows - 1, 0, (read.row + 1) / 2);
       const uint16_t write_to = address(uint16_t(write.row / 2), uint16_t(write.column / 2));
+      // Without `&&`, of which the front end makes branches around the memories, and then states.
       const bool to_odd_row = write.row % 2 != 0, to_odd_column = write.column % 2 != 0;
-      even_even.clock(address(even_row, even_column), writes && !to_odd_row && !to_odd_column, write_to, word);
-      even_odd.clock(address(even_row, odd_column), writes && !to_odd_row && to_odd_column, write_to, word);
-      odd_even.clock(address(odd_row, even_column), writes && to_odd_row && !to_odd_column, write_to, word);
-      odd_odd.clock(address(odd_row, odd_column), writes && to_odd_row && to_odd_column, write_to, word);
+      const bool to_even_rows = writes & !to_odd_row, to_odd_rows = writes & to_odd_row;
+      even_even.clock(address(even_row, even_column), to_even_rows & !to_odd_column, write_to, word);
+      even_odd.clock(address(even_row, odd_column), to_even_rows & to_odd_column, write_to, word);
+      odd_even.clock(address(odd_row, even_column), to_odd_rows & !to_odd_column, write_to, word);
+      odd_odd.clock(address(odd_row, odd_column), to_odd_rows & to_odd_column, write_to, word);
    }
 
   private:
