@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The hardware top of the rectification of a pair: plain ports around one core that never stops. One pass of the loop
 // is one clock.
-//    -DSTEREO_CONFIGURATION=vga
+//    -DSTEREO_CONFIGURATION=rectify_vga
 #include "rectification/configurations.hpp"
 #include "rectification/core.hpp"
 
