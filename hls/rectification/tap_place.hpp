@@ -39,8 +39,8 @@ struct TapPlace {
          column_shown[i] = sample.leaves && column + i >= 0 && column + i < C.width_px;
          row_shown[i] = is_kept(rows + i) && is_inside(sample.row + rows + i);
       }
-      // Column -1 is kept in column 0. Where no tap is shown, any place inside the memory will do.
-      const bool any_column = column >= -1 && column < C.width_px;
+      // Column -1 is kept in column 0, which will also do where no tap is shown.
+      const bool any_column = column >= 0 && column < C.width_px;
       const bool any_row = is_kept(rows) || is_kept(rows + 1);
       const int32_t slot = sample.taken.row - C.lag_rows() + select<int32_t>(any_row, rows, 0);
       taps.column = uint16_t(select<int32_t>(any_column, column + 1, 0));

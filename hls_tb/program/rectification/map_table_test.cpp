@@ -162,8 +162,9 @@ TEST(MapTable, MeasuresDifferences) {
    other.at(3, 3) = 90;
    EXPECT_EQ(grey_difference(other, source, maps).largest, 10);
    EXPECT_EQ(grey_difference(other, source, maps).mean, 10 / 256.0);
-   for (rectification::Offset& node : table.nodes) node.x = 64;
-   EXPECT_EQ(place_difference(table, warp, maps).mean, 1);
+   for (int j = 0; j < table.rows; ++j) table.at(0, j).x = 64;
+   EXPECT_EQ(place_difference(table, warp, maps).largest, 1);
+   EXPECT_EQ(place_difference(table, warp, maps).mean, 8.5 / 16) << "16/16, 15/16 ... 1/16 from the left to the right";
 }
 
 }  // namespace
