@@ -59,6 +59,10 @@ stereo_add_unit_tests(
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
+  blocks/rectification/bilinear_test.cpp
+  blocks/rectification/config_test.cpp
+  blocks/rectification/core_test.cpp
+  blocks/rectification/quad_memory_test.cpp
   blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
@@ -82,6 +86,7 @@ stereo_add_unit_tests(
   definition/dynamic_range/reference_model_test.cpp
   definition/dynamic_range/search_windows_test.cpp
   definition/phase_correlation/reference_model_test.cpp
+  definition/rectification/reference_model_test.cpp
   definition/semi_global/reference_model_test.cpp
   definition/trellis/reference_model_test.cpp
   engines/fast/block_matching/fast_model_test.cpp
@@ -99,6 +104,7 @@ stereo_add_unit_tests(
   program/io/child_process_test.cpp
   program/io/images_test.cpp
   program/io/pfm_test.cpp
+  program/rectification/map_table_test.cpp
   scene/scene_test.cpp
   testing/map_compare_test.cpp)
 
@@ -116,7 +122,7 @@ add_test(NAME config_accepts.nothing_wrong
                  "${CMAKE_CURRENT_SOURCE_DIR}/blocks/block_matching/config_rejected.cpp")
 set_tests_properties(config_accepts.nothing_wrong PROPERTIES LABELS unit)
 
-foreach(command IN ITEMS cli depth evaluate match video)
+foreach(command IN ITEMS cli depth evaluate match rectify video)
   stereo_add_pytest(NAME stereo_hls_${command} FILE
                     "${CMAKE_CURRENT_SOURCE_DIR}/program/commands/stereo_hls_${command}_test.py" LABELS unit)
 endforeach()

@@ -62,10 +62,7 @@ class AlgorithmOf final : public Algorithm {
    std::vector<OptionLimits> limits() const override { return option_limits(matching_); }
    std::shared_ptr<const Algorithm> with(const std::string& option, const std::string& value) const override {
       Matching changed = matching_;
-      OptionSetter setter(option, value);
-      Matching::options(changed, setter);
-      if (!setter.found) throw std::invalid_argument("there is no such option; known are: " + setter.known);
-      if (!setter.wanted.empty()) throw std::invalid_argument("the value must be " + setter.wanted);
+      set_option(changed, option, value);
       return std::make_shared<AlgorithmOf>(changed);
    }
    std::string description() const override { return of_family::description(matching_); }

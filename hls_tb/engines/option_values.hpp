@@ -5,6 +5,7 @@
 #include <charconv>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -113,5 +114,15 @@ struct OptionSetter {
       return name == option;
    }
 };
+
+/// Gives the option of a name a value. Throws std::invalid_argument with what the value should have been, or with the
+/// names of all options. Limits are checked later.
+template <class Options>
+void set_option(Options& options, const std::string& name, const std::string& value) {
+   OptionSetter setter(name, value);
+   Options::options(options, setter);
+   if (!setter.found) throw std::invalid_argument("there is no such option; known are: " + setter.known);
+   if (!setter.wanted.empty()) throw std::invalid_argument("the value must be " + setter.wanted);
+}
 
 }  // namespace stereo

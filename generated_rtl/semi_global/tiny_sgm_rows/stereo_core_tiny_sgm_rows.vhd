@@ -509,15 +509,14 @@ architecture rtl of stereo_core_tiny_sgm_rows is
   signal sums_right_smallest : natural range 0 to 15;
   signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
   signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_map_column : boolean;
+  signal sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
+  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
   signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_map_column, sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame : boolean;
-  signal sums_tags_held_1_end_of_line, sums_tags_held_2_map_column, sums_tags_held_2_output_column : boolean;
-  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_map_column : boolean;
+  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
+  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
   signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_map_column, sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame : boolean;
-  signal sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
+  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
+  signal sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_room : natural range 0 to 31;
@@ -1088,7 +1087,7 @@ begin
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
     variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
     variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
     variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
@@ -4894,7 +4893,7 @@ begin
         sums_turn_comes_2 <= sums_turn_comes_1;
         sums_turn_comes_3 <= sums_turn_comes_2;
         sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= sums_tags_held_4_map_column;
+        sums_turn_comes_5 <= sums_turn_comes_4;
         sums_turn_comes_6 <= sums_turn_comes_5;
         sums_turn_comes_7 <= sums_turn_comes_6;
         sums_turn_comes_8 <= sums_turn_comes_7;
@@ -5014,42 +5013,24 @@ begin
         sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
           (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
-        sums_tags_held_0_map_column <= entry_tag_map_column;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         sums_tags_held_0_end_of_line <= entry_tag_end_of_line;
-        sums_tags_held_1_map_column <= sums_tags_held_0_map_column;
         sums_tags_held_1_output_column <= sums_tags_held_0_output_column;
         sums_tags_held_1_start_of_frame <= sums_tags_held_0_start_of_frame;
         sums_tags_held_1_end_of_line <= sums_tags_held_0_end_of_line;
-        sums_tags_held_2_map_column <= sums_tags_held_1_map_column;
         sums_tags_held_2_output_column <= sums_tags_held_1_output_column;
         sums_tags_held_2_start_of_frame <= sums_tags_held_1_start_of_frame;
         sums_tags_held_2_end_of_line <= sums_tags_held_1_end_of_line;
-        sums_tags_held_3_map_column <= sums_tags_held_2_map_column;
         sums_tags_held_3_output_column <= sums_tags_held_2_output_column;
         sums_tags_held_3_start_of_frame <= sums_tags_held_2_start_of_frame;
         sums_tags_held_3_end_of_line <= sums_tags_held_2_end_of_line;
-        sums_tags_held_4_map_column <= sums_tags_held_3_map_column;
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := sums_turn_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
-        sums_turn_write_sums_0 <= (forward_sum_3 * 262144) + (forward_sum_4 * 16777216) + (forward_sum_2 * 4096) +
-          forward_sum_0 + (forward_sum_1 * 64);
-        sums_turn_write_sums_1 <= (forward_sum_8 * 262144) + (forward_sum_9 * 16777216) + (forward_sum_7 * 4096) +
-          forward_sum_5 + (forward_sum_6 * 64);
-        sums_turn_write_sums_2 <= (forward_sum_11 * 64) + forward_sum_10;
-        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
-          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
-          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
-        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
-          (forward_cost_3_9 * 16);
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := sums_turn_comes_7 when entry_tag_valid else sums_turn_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(5 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(11 downto 6));
       sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(17 downto 12));
@@ -5068,6 +5049,20 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_3 * 262144) + (forward_sum_4 * 16777216) + (forward_sum_2 * 4096) +
+          forward_sum_0 + (forward_sum_1 * 64);
+        sums_turn_write_sums_1 <= (forward_sum_8 * 262144) + (forward_sum_9 * 16777216) + (forward_sum_7 * 4096) +
+          forward_sum_5 + (forward_sum_6 * 64);
+        sums_turn_write_sums_2 <= (forward_sum_11 * 64) + forward_sum_10;
+        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
+          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
+          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
+          (forward_cost_3_9 * 16);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
         when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
@@ -5664,6 +5659,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;
@@ -5672,23 +5668,18 @@ begin
         sums_tag_output_column <= false;
         sums_tag_start_of_frame <= false;
         sums_tag_end_of_line <= false;
-        sums_tags_held_0_map_column <= false;
         sums_tags_held_0_output_column <= false;
         sums_tags_held_0_start_of_frame <= false;
         sums_tags_held_0_end_of_line <= false;
-        sums_tags_held_1_map_column <= false;
         sums_tags_held_1_output_column <= false;
         sums_tags_held_1_start_of_frame <= false;
         sums_tags_held_1_end_of_line <= false;
-        sums_tags_held_2_map_column <= false;
         sums_tags_held_2_output_column <= false;
         sums_tags_held_2_start_of_frame <= false;
         sums_tags_held_2_end_of_line <= false;
-        sums_tags_held_3_map_column <= false;
         sums_tags_held_3_output_column <= false;
         sums_tags_held_3_start_of_frame <= false;
         sums_tags_held_3_end_of_line <= false;
-        sums_tags_held_4_map_column <= false;
         sums_tags_held_4_output_column <= false;
         sums_tags_held_4_start_of_frame <= false;
         sums_tags_held_4_end_of_line <= false;

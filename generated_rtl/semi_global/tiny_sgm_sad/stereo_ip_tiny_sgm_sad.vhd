@@ -64,7 +64,7 @@ begin
       latency_clocks => 27,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"0294e8de",
+      core_id => x"d972b3dd",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

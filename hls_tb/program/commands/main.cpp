@@ -11,6 +11,7 @@
 #include "program/commands/depth_command.hpp"
 #include "program/commands/evaluate_command.hpp"
 #include "program/commands/match_command.hpp"
+#include "program/commands/rectify_command.hpp"
 #include "program/commands/scene_command.hpp"
 #include "program/commands/standard_output.hpp"
 #include "program/commands/trace_command.hpp"
@@ -46,6 +47,7 @@ int main(int argc, char** argv) {
        "and nothing is written.");
    add_match(app);
    add_depth(app);
+   add_rectify(app);
    add_evaluate(app);
    add_video(app);
    add_scene(app);

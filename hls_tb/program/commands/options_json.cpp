@@ -20,18 +20,25 @@ nlohmann::json options_json(const std::vector<OptionValue>& options) {
    return json;
 }
 
-std::shared_ptr<const Algorithm> with_options(std::shared_ptr<const Algorithm> algorithm,
-                                              const std::vector<std::string>& settings) {
+void for_each_setting(const std::vector<std::string>& settings,
+                      const std::function<void(const std::string& name, const std::string& value)>& set) {
    for (const std::string& setting : settings) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos)
          throw InputError("--set " + setting + ": must be NAME=VALUE, such as window_px=9");
       try {
-         algorithm = algorithm->with(setting.substr(0, equals), setting.substr(equals + 1));
+         set(setting.substr(0, equals), setting.substr(equals + 1));
       } catch (const std::invalid_argument& problem) {
          throw InputError("--set " + setting + ": " + problem.what());
       }
    }
+}
+
+std::shared_ptr<const Algorithm> with_options(std::shared_ptr<const Algorithm> algorithm,
+                                              const std::vector<std::string>& settings) {
+   for_each_setting(settings, [&algorithm](const std::string& name, const std::string& value) {
+      algorithm = algorithm->with(name, value);
+   });
    return algorithm;
 }
 

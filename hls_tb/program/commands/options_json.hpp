@@ -2,6 +2,7 @@
 // The options of an algorithm as JSON and from the command line.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,11 @@
 namespace stereo::app {
 
 nlohmann::json options_json(const std::vector<OptionValue>& options);
+
+/// Reads texts such as "window_px=9". Throws InputError with one sentence that begins with `--set` and the text, also
+/// where `set` throws std::invalid_argument.
+void for_each_setting(const std::vector<std::string>& settings,
+                      const std::function<void(const std::string& name, const std::string& value)>& set);
 
 /// An algorithm with some of its options set by texts such as "window_px=9", "cost=census" or "median=true". What
 /// values fit together it says when it matches. Throws InputError with one sentence that begins with `--set` and the

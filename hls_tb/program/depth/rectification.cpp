@@ -50,7 +50,7 @@ cv::Mat Rectification::right(const cv::Mat& image) const {
    return result;
 }
 
-Rectification make_rectification(const Calibration& calibration, int width_px, int height_px) {
+Rectification make_rectification(const Calibration& calibration, int width_px, int height_px, int behind_px) {
    require_matrices(calibration);
    require_camera("M1", calibration.m1, width_px, height_px);
    require_camera("M2", calibration.m2, width_px, height_px);
@@ -65,8 +65,9 @@ Rectification make_rectification(const Calibration& calibration, int width_px, i
          throw InputError("--calibration: its cameras cannot be rectified");
       if (p2.at<double>(1, 3) != 0)
          throw InputError("--calibration: its cameras stand one above the other; this matcher needs them side by side");
-      cv::initUndistortRectifyMap(calibration.m1, calibration.d1, r1, p1, size, CV_32FC1, made.left_x, made.left_y);
-      cv::initUndistortRectifyMap(calibration.m2, calibration.d2, r2, p2, size, CV_32FC1, made.right_x, made.right_y);
+      const cv::Size maps(width_px + behind_px, height_px + behind_px);
+      cv::initUndistortRectifyMap(calibration.m1, calibration.d1, r1, p1, maps, CV_32FC1, made.left_x, made.left_y);
+      cv::initUndistortRectifyMap(calibration.m2, calibration.d2, r2, p2, maps, CV_32FC1, made.right_x, made.right_y);
       made.geometry = geometry_of_q(q);
    } catch (const cv::Exception&) {
       throw InputError("--calibration: its cameras cannot be rectified");

@@ -17,7 +17,8 @@ struct Rectification {
 };
 
 /// Needs M1, M2, R and T, and D1, D2 where the lenses distort. Throws InputError with one sentence when they are
-/// missing, belong to images of another size or to cameras one above the other.
-Rectification make_rectification(const Calibration& calibration, int width_px, int height_px);
+/// missing, belong to images of another size or to cameras one above the other. The maps go on for `behind_px` columns
+/// and rows behind the images.
+Rectification make_rectification(const Calibration& calibration, int width_px, int height_px, int behind_px = 0);
 
 }  // namespace stereo::app

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "support/ports.hpp"
+#include "support/registers.hpp"
+
+namespace stereo::rectification {
+
+/// A pixel of each camera as it came in.
+struct PixelPair {
+   uint8_t left, right;
+   bool start_of_frame, valid;
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("left", left);
+      visit("right", right);
+      visit("start_of_frame", start_of_frame);
+      visit("valid", valid);
+   }
+};
+
+HLS_INLINE PixelPair pixel_pair(const StereoInput& in) {
+   return {in.left[0], in.right[0], in.start_of_frame, in.valid};
+}
+
+}  // namespace stereo::rectification

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "rectification/parity_bank.hpp"
+
+namespace stereo::rectification {
+
+/// A place in a QuadMemory.
+struct QuadPlace {
+   uint16_t column;
+   uint16_t row;
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("column", column);
+      visit("row", row);
+   }
+};
+
+/// `Columns` x `Rows` words, both even, of which each clock shows any 2x2 neighbours and takes one. 3 clocks.
+/// Memory: Columns x Rows words.
+///
+/// Words whose rows and columns are even or odd alike share a memory: of any 2x2 neighbours each of the four memories
+/// has one. Row 0 follows the last row, as in a ring of rows.
+template <class Word, int Columns, int Rows>
+struct QuadMemory {
+   static_assert(Columns % 2 == 0 && Rows % 2 == 0, "an even number of columns and rows shares four memories");
+   static constexpr int kPitch = Columns / 2;
+   using Bank = ParityBank<Word, kPitch * Rows / 2>;
+   static constexpr int kClocks = Bank::kClocks;
+   static constexpr int kMemories = 4 * Bank::kMemories;
+
+   Bank even_even, even_odd, odd_even, odd_odd;  ///< row, column
+   bool row_odd[kClocks], column_odd[kClocks];   ///< of the upper left word, [0] newest
+
+   template <class Source, int First>
+   HLS_INLINE QuadMemory(Source& memories, MemoryId<First>)
+       : even_even(memories, MemoryId<First>()),
+         even_odd(memories, MemoryId<First + 1>()),
+         odd_even(memories, MemoryId<First + 2>()),
+         odd_odd(memories, MemoryId<First + 3>()) {
+      start(*this);
+   }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("even_even", even_even);
+      visit("even_odd", even_odd);
+      visit("odd_even", odd_even);
+      visit("odd_odd", odd_odd);
+      visit("row_odd", row_odd);
+      visit("column_odd", column_odd);
+   }
+
+   /// The ready words: the upper left one, the one to the right of it, and those below the two.
+   HLS_INLINE void taps(Word (&out)[2][2]) const {
+      const bool lower = row_odd[kClocks - 1], right = column_odd[kClocks - 1];
+      const Word words[2][2] = {{even_even.ready_word, even_odd.ready_word}, {odd_even.ready_word, odd_odd.ready_word}};
+      HLS_UNROLL
+      for (int r = 0; r < 2; ++r) {
+         HLS_UNROLL
+         for (int c = 0; c < 2; ++c) {
+            const Word even = select<Word>(right, words[0][1 - c], words[0][c]);
+            const Word odd = select<Word>(right, words[1][1 - c], words[1][c]);
+            out[r][c] = select<Word>(lower == (r == 0), odd, even);
+         }
+      }
+   }
+
+   /// read: of the upper left word, below Columns - 1 and Rows. write: where `word` goes, if `writes`.
+   HLS_INLINE void clock(const QuadPlace& read, bool writes, const QuadPlace& write, Word word) {
+      HLS_UNROLL
+      for (int i = kClocks - 1; i > 0; --i) {
+         row_odd[i] = row_odd[i - 1];
+         column_odd[i] = column_odd[i - 1];
+      }
+      row_odd[0] = read.row % 2 != 0;
+      column_odd[0] = read.column % 2 != 0;
+      // The even one of two neighbours may be the second one.
+      const uint16_t odd_column = uint16_t(read.column / 2), even_column = uint16_t((read.column + 1) / 2);
+      const uint16_t odd_row = uint16_t(read.row / 2);
+      const uint16_t even_row = select<uint16_t>(read.row == Rows - 1, 0, (read.row + 1) / 2);
+      const uint16_t write_to = address(uint16_t(write.row / 2), uint16_t(write.column / 2));
+      // Without `&&`, of which the front end makes branches around the memories, and then states.
+      const bool to_odd_row = write.row % 2 != 0, to_odd_column = write.column % 2 != 0;
+      const bool to_even_rows = writes & !to_odd_row, to_odd_rows = writes & to_odd_row;
+      even_even.clock(address(even_row, even_column), to_even_rows & !to_odd_column, write_to, word);
+      even_odd.clock(address(even_row, odd_column), to_even_rows & to_odd_column, write_to, word);
+      odd_even.clock(address(odd_row, even_column), to_odd_rows & !to_odd_column, write_to, word);
+      odd_odd.clock(address(odd_row, odd_column), to_odd_rows & to_odd_column, write_to, word);
+   }
+
+  private:
+   static HLS_INLINE uint16_t address(uint16_t row, uint16_t column) { return uint16_t(row * kPitch + column); }
+};
+
+}  // namespace stereo::rectification
