@@ -318,8 +318,8 @@ architecture rtl of stereo_core_tiny_sgm_ssd is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 173;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 173;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 173;
@@ -378,16 +378,14 @@ architecture rtl of stereo_core_tiny_sgm_ssd is
   signal sums_right_arrived_3, sums_right_arrived_4, sums_right_arrived_5 : natural range 0 to 255;
   signal sums_right_arrived_6, sums_right_arrived_7, sums_right_arrived_8 : natural range 0 to 255;
   signal sums_right_arrived_9, sums_right_arrived_10, sums_right_arrived_11 : natural range 0 to 255;
-  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
-  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
-  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
-  signal sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_cost_0_0, sums_cost_0_1, sums_cost_0_2 : natural range 0 to 31;
@@ -653,14 +651,14 @@ begin
     variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
     variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_above_write_words_0_all : boolean;
-    variable sums_turn_write_sums_0_all, winnerswinner1_of_pair_0_0_is_less : boolean;
-    variable winnerswinner1_of_pair_0_2_is_less, winnerswinner1_of_pair_0_4_is_less : boolean;
-    variable winnerswinner1_of_pair_0_6_is_less, winnerswinner1_of_pair_0_8_is_less : boolean;
-    variable winnerswinner1_of_pair_0_10_is_less, winnerswinner1_of_four_0_0_is_less : boolean;
-    variable winnerswinner1_of_four_0_4_is_less, winnerswinner1_of_four_0_8_is_less : boolean;
-    variable winnerswinner2_of_pair_0_0_is_less, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice : boolean;
+    variable entry_order_turned_output_column_choice, sums_turn_writes_copy_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_is_less, winnerswinner1_of_pair_0_2_is_less : boolean;
+    variable winnerswinner1_of_pair_0_4_is_less, winnerswinner1_of_pair_0_6_is_less : boolean;
+    variable winnerswinner1_of_pair_0_8_is_less, winnerswinner1_of_pair_0_10_is_less : boolean;
+    variable winnerswinner1_of_four_0_0_is_less, winnerswinner1_of_four_0_4_is_less : boolean;
+    variable winnerswinner1_of_four_0_8_is_less, winnerswinner2_of_pair_0_0_is_less, turn_order_address_all : boolean;
+    variable turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
+    variable turn_order_turned_output_column_choice : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
@@ -1586,11 +1584,11 @@ begin
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
         forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= sums_turn_comes_4;
+        forward_above_comes_5 <= forward_above_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= sums_turn_comes_8;
+        forward_above_comes_9 <= forward_above_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -1659,6 +1657,8 @@ begin
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
+        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -1683,8 +1683,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -1806,15 +1805,6 @@ begin
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_column;
-        sums_turn_comes_0 <= entry_tag_map_column;
-        sums_turn_comes_1 <= sums_turn_comes_0;
-        sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= forward_above_comes_4;
-        sums_turn_comes_6 <= sums_turn_comes_5;
-        sums_turn_comes_7 <= sums_turn_comes_6;
-        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -1947,18 +1937,8 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
-        sums_turn_write_sums_0 <= other_2;
-        sums_turn_write_sums_1 <= other_1;
-        sums_turn_write_sums_2 <= other_0;
-        sums_turn_write_costs_0 <= (forward_cost_3_4 * 1048576) + (forward_cost_3_5 * 33554432) + (forward_cost_3_3 *
-          32768) + (forward_cost_3_2 * 1024) + forward_cost_3_0 + (forward_cost_3_1 * 32);
-        sums_turn_write_costs_1 <= (forward_cost_3_10 * 1048576) + (forward_cost_3_11 * 33554432) + (forward_cost_3_9 *
-          32768) + (forward_cost_3_8 * 1024) + forward_cost_3_6 + (forward_cost_3_7 * 32);
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= to_integer(sums_sum_delay_held_0(7 downto 0)) + sums_right_cost_0;
       sums_sum_0_1 <= (to_integer(sums_sum_delay_held_0(15 downto 0)) / 256) + sums_right_cost_1;
       sums_sum_0_2 <= to_integer(sums_sum_delay_held_0(23 downto 16)) + sums_right_cost_2;
@@ -1977,6 +1957,17 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= other_2;
+        sums_turn_write_sums_1 <= other_1;
+        sums_turn_write_sums_2 <= other_0;
+        sums_turn_write_costs_0 <= (forward_cost_3_4 * 1048576) + (forward_cost_3_5 * 33554432) + (forward_cost_3_3 *
+          32768) + (forward_cost_3_2 * 1024) + forward_cost_3_0 + (forward_cost_3_1 * 32);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 1048576) + (forward_cost_3_11 * 33554432) + (forward_cost_3_9 *
+          32768) + (forward_cost_3_8 * 1024) + forward_cost_3_6 + (forward_cost_3_7 * 32);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_of_pair_0_0_is_less := (sums_sum_0_1 - sums_sum_0_0) < 0;
       winnerswinner1_of_pair_0_2_is_less := (sums_sum_0_3 - sums_sum_0_2) < 0;
@@ -2341,16 +2332,8 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        sums_turn_comes_0 <= false;
-        sums_turn_comes_1 <= false;
-        sums_turn_comes_2 <= false;
-        sums_turn_comes_3 <= false;
-        sums_turn_comes_4 <= false;
-        sums_turn_comes_5 <= false;
-        sums_turn_comes_6 <= false;
-        sums_turn_comes_7 <= false;
-        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -2360,6 +2343,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;
