@@ -78,6 +78,13 @@ struct Config : Image, Matching, Structure {
 
    /// Groups by which the windows follow the newest codes: the searched pixels of the whole range must have come.
    constexpr int ahead_groups() const { return last_base() + kBank; }
+   /// Of a memory's array in C++: beyond 100,000 bits the tool takes another kind of memory.
+   static constexpr int kMostMemoryBits = 96000;
+   /// Of the code of a pixel.
+   constexpr int code_bytes() const {
+      const int bits = codes == Codes::phase ? 6 * phase_scales : census_width_px * census_height_px - 1;
+      return bits <= 8 ? 1 : bits <= 16 ? 2 : bits <= 32 ? 4 : 8;
+   }
    /// Neighbouring searched pixels that can be read at once.
    static constexpr int kBank = 4;
 
@@ -98,7 +105,9 @@ struct Config : Image, Matching, Structure {
          return "the width and height of the images must be multiples of 8";
       if (coarse_rows() < kCoarseWindow) return "the images must have 32 rows or more";
       if (width_px <= disparities) return "the image width must exceed the disparity range";
-      if (width_px > 1024) return "the core with a dynamic range takes images of at most 1024 columns";
+      if ((window_px + 2) * width_px / kBank * 8 * code_bytes() > kMostMemoryBits)
+         return "the rows of searched codes need larger memories than the tool takes: fewer columns or a smaller "
+                "window";
       if (codes == Codes::phase) {
          if (const Sentence sentence = coarse_phase_config().problem(); !sentence.empty()) return sentence;
          return window_phase_config().problem();

@@ -90,7 +90,7 @@ struct Core {
    //            ranges                    9           surfaces of each block of 8x8 pixels
    //            targets                               where the search windows should begin
    //                                                  beside it:
-   //            hold_back                 1           some 45 rows
+   //            hold_back                 1 or more   some 45 rows
    //            transform                             codes
    //            ahead                     1           the whole range of searched codes comes first
    //            raster                    1           place in the frame
@@ -243,7 +243,7 @@ struct Core {
       in.left[0] = uint8_t(hold_back.data());
       in.right[0] = uint8_t(hold_back.data() >> 8);
       in.start_of_frame = hold_back.start_of_frame();
-      in.valid = hold_back.valid;
+      in.valid = hold_back.valid();
       return in;
    }
 
@@ -251,7 +251,7 @@ struct Core {
       FeatureGroup<kWindowConfig<C>> group;
       group.reference[0] = ahead.data();
       group.start_of_frame = ahead.start_of_frame();
-      group.valid = ahead.valid;
+      group.valid = ahead.valid();
       return group;
    }
 
