@@ -12,8 +12,9 @@ template <const Config& C>
 struct TapPlace {
    static constexpr int kClocks = 2;
 
-   int32_t source_x;  // clock 1; in 2^-weight_bits pixels
-   int32_t offset_y;  ///< from the row of the pixel that leaves
+   // clock 1, in 2^-weight_bits pixels, reach_px() too large
+   uint32_t source_x;
+   uint32_t offset_y;  ///< from the row of the pixel that leaves
    // clock 2
    QuadPlace taps;                      ///< the upper left one
    uint8_t weight_x, weight_y;          ///< of the right and of the lower ones
@@ -33,7 +34,8 @@ struct TapPlace {
    }
 
    HLS_INLINE void clock(const Offsets<C>& offsets, const SamplePlace<C>& sample) {
-      const int32_t column = source_x >> C.weight_bits, rows = offset_y >> C.weight_bits;
+      const int32_t column = int32_t(source_x >> C.weight_bits) - C.reach_px();
+      const int32_t rows = int32_t(offset_y >> C.weight_bits) - C.reach_px();
       HLS_UNROLL
       for (int i = 0; i < 2; ++i) {
          column_shown[i] = sample.leaves && column + i >= 0 && column + i < C.width_px;
@@ -48,7 +50,7 @@ struct TapPlace {
       weight_x = uint8_t(source_x & ((1 << C.weight_bits) - 1));
       weight_y = uint8_t(offset_y & ((1 << C.weight_bits) - 1));
 
-      source_x = (sample.place.column << C.weight_bits) + offsets.x.value;
+      source_x = (uint32_t(sample.place.column) << C.weight_bits) + offsets.x.value;
       offset_y = offsets.y.value;
    }
 
