@@ -5,20 +5,23 @@
 
 namespace stereo::rectification {
 
-/// Bilinear interpolation between four numbers with weights of 2^-WeightBits; the exact sum is divided by 2^Shift and
-/// rounded to the nearest, halves up. 4 clocks: differences of rows, both columns, their difference, the sum.
-template <int WeightBits, int Shift>
+/// Bilinear interpolation between four numbers of `Bits` bits without sign, with weights of 2^-WeightBits; the exact
+/// sum is divided by 2^Shift and rounded to the nearest, halves up. 4 clocks: differences of rows, both columns, their
+/// difference, the sum.
+template <int Bits, int WeightBits, int Shift>
 struct Bilinear {
    static constexpr int kClocks = 4;
    static constexpr int kUnit = 1 << WeightBits;
    static constexpr int kHalf = Shift == 0 ? 0 : (1 << Shift) / 2;
+   static constexpr int kValueBits = Bits + 2 * WeightBits - Shift + 1;  ///< the rounding may carry
+   static_assert(kValueBits > 0 && Bits + 2 * WeightBits < 31);
 
    int32_t upper[2], fall[2];  // clock 1, left and right column
    uint8_t weight_y;
    uint8_t weight_x[3];
    int32_t column[2];    // clock 2
    int32_t first, rise;  // clock 3
-   int32_t value;        // clock 4
+   uint32_t value;       // clock 4
 
    HLS_INLINE Bilinear() { start(*this); }
 
@@ -36,12 +39,13 @@ struct Bilinear {
 
    /// taps: [row][column]; x, y: weights of the right column and of the lower row, below 2^WeightBits.
    HLS_INLINE void clock(const int32_t (&taps)[2][2], uint8_t x, uint8_t y) {
-      value = (first + rise * weight_x[2]) >> Shift;
+      value = uint32_t(first + rise * weight_x[2]) >> Shift & ((1U << kValueBits) - 1);
       first = column[0] * kUnit + kHalf;
       rise = column[1] - column[0];
       HLS_UNROLL
       for (int c = 0; c < 2; ++c) {
-         column[c] = upper[c] * kUnit + fall[c] * weight_y;
+         // Never negative, which the tool cannot see in a sum of differences.
+         column[c] = (upper[c] * kUnit + fall[c] * weight_y) & ((1 << (Bits + WeightBits)) - 1);
          upper[c] = taps[0][c];
          fall[c] = taps[1][c] - taps[0][c];
       }

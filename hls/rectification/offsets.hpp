@@ -14,12 +14,12 @@ struct Offsets {
    static constexpr int kBits = C.offset_bits;
    using Node = uint_of_bits<2 * kBits>;
    using Nodes = QuadMemory<Node, (C.table_columns() + 1) / 2 * 2, (C.table_rows() + 1) / 2 * 2>;
-   using Between = Bilinear<C.grid_bits(), C.offset_shift()>;
+   using Between = Bilinear<kBits, C.grid_bits(), C.offset_shift()>;
    static constexpr int kClocks = Nodes::kClocks + Between::kClocks;
    static constexpr int kMemories = Nodes::kMemories;
 
    Nodes nodes;
-   Between x, y;  ///< values in 2^-weight_bits pixels
+   Between x, y;  ///< values in 2^-weight_bits pixels, reach_px() too large
 
    template <class Source, int First>
    HLS_INLINE Offsets(Source& memories, MemoryId<First> first) : nodes(memories, first) {}
@@ -40,22 +40,22 @@ struct Offsets {
       for (int r = 0; r < 2; ++r) {
          HLS_UNROLL
          for (int c = 0; c < 2; ++c) {
-            across[r][c] = offset(uint32_t(ready[r][c]));
-            down[r][c] = offset(uint32_t(ready[r][c]) >> kBits);
+            across[r][c] = int32_t(uint32_t(ready[r][c]) & kMask);
+            down[r][c] = int32_t(uint32_t(ready[r][c]) >> kBits & kMask);
          }
       }
       x.clock(across, place.weight_x.oldest(), place.weight_y.oldest());
       y.clock(down, place.weight_x.oldest(), place.weight_y.oldest());
-      const Node word = Node((uint32_t(table.x) & kMask) | (uint32_t(table.y) & kMask) << kBits);
-      nodes.clock(place.node, table.valid & mine, {table.column, table.row}, word);
+      nodes.clock(place.node, table.valid & mine, {table.column, table.row},
+                  Node(kept(table.x) | kept(table.y) << kBits));
    }
 
   private:
    static constexpr uint32_t kMask = (1U << kBits) - 1;
    static constexpr uint32_t kSign = 1U << (kBits - 1);
 
-   /// The lowest kBits as a number in two's complement.
-   static HLS_INLINE int32_t offset(uint32_t bits) { return int32_t((bits & kMask) ^ kSign) - int32_t(kSign); }
+   /// Offsets are kept without sign, 2^(kBits - 1) too large, as the lowering knows no right shift of negative numbers.
+   static HLS_INLINE uint32_t kept(int16_t offset) { return (uint32_t(offset) & kMask) ^ kSign; }
 };
 
 }  // namespace stereo::rectification

@@ -91,7 +91,9 @@ struct QuadMemory {
    }
 
   private:
-   static HLS_INLINE uint16_t address(uint16_t row, uint16_t column) { return uint16_t(row * kPitch + column); }
+   static HLS_INLINE uint16_t address(uint16_t row, uint16_t column) {
+      return at_most<kPitch * Rows / 2 - 1>(unsigned(row * kPitch + column));
+   }
 };
 
 }  // namespace stereo::rectification

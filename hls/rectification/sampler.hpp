@@ -10,7 +10,7 @@ namespace stereo::rectification {
 template <const Config& C>
 struct Sampler {
    using Rows = QuadMemory<uint8_t, C.buffered_columns(), C.buffered_rows()>;
-   using Between = Bilinear<C.weight_bits, 2 * C.weight_bits>;
+   using Between = Bilinear<8, C.weight_bits, 2 * C.weight_bits>;
    static constexpr int kClocks = Rows::kClocks + Between::kClocks;
    static constexpr int kMemories = Rows::kMemories;
 

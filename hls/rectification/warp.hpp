@@ -20,6 +20,8 @@ struct Warp {
    constexpr int nodes_along(int side_px) const { return ((side_px - 1) >> grid_bits()) + 2; }
    /// A sum of four offsets is so many bits finer than a place.
    constexpr int offset_shift() const { return 2 * grid_bits() + offset_fraction_bits - weight_bits; }
+   /// No place lies farther to the left of its pixel or above it.
+   constexpr int reach_px() const { return 1 << (offset_bits - 1 - offset_fraction_bits); }
    constexpr int largest_offset() const { return (1 << (offset_bits - 1)) - 1; }
    /// Of one camera.
    constexpr int table_bits(int width_px, int height_px) const {
@@ -44,6 +46,7 @@ struct Warp {
    /// Why nothing can be rectified with these options; empty when it can.
    constexpr Sentence problem() const {
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
+      if (offset_bits <= offset_fraction_bits) return "an offset must have more bits than fraction bits";
       if ((grid_px & (grid_px - 1)) == 0) return {};
       Sentence sentence = "the distance of the table's nodes is ";
       return sentence << grid_px << " but must be a power of two";

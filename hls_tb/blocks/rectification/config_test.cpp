@@ -26,6 +26,8 @@ TEST(RectificationConfig, SaysWhyACoreCannotBeBuilt) {
    refused(&Config::grid_px, 128, "nodes is 128 but must be 4 ... 64");
    refused(&Config::offset_bits, 17, "bits of an offset is 17 but must be 8 ... 16");
    refused(&Config::offset_fraction_bits, 3, "fraction bits of an offset is 3");
+   EXPECT_NE(problem({fits, {.offset_bits = 8, .offset_fraction_bits = 8}}).find("more bits than fraction bits"),
+             std::string::npos);
    refused(&Config::weight_bits, 9, "bits of the weights is 9");
    refused(&Config::rows_above, 256, "rows above is 256");
    refused(&Config::rows_below, -1, "rows below is -1");
