@@ -550,10 +550,8 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
-  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
+  signal sums_turn_ready_first, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
+  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
   signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
   signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
   signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
@@ -676,6 +674,8 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  -- other
+  signal other_0, other_1 : boolean;
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -1218,73 +1218,72 @@ begin
     variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
     variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
-    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_choice : boolean;
-    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value : boolean;
-    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_2 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_3 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_4 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_choice : boolean;
-    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value : boolean;
-    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_2 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_3 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_4 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
-    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
-    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
-    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
-    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
-    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
-    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
-    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
-    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
-    variable winnerswinner4_best_at_start_0_0_choice, refinement_passed_3_0_choice : boolean;
-    variable refinement_passed_3_0_choice_2, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_complete_any, turn_order_turned_output_column_all : boolean;
-    variable turn_order_turned_output_column_choice : boolean;
+    variable sums_right_start_cost_0_value, winnerswinner1_best_index_0_0_choice : boolean;
+    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value : boolean;
+    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_2 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_3 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_4 : boolean;
+    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_1_choice : boolean;
+    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value : boolean;
+    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_2 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_3 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_4 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_choice : boolean;
+    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value : boolean;
+    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_2 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_3 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_4 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_choice : boolean;
+    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value : boolean;
+    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_2 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_3 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_value_4 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_1_choice : boolean;
+    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
+    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_at_start_0_0_choice : boolean;
+    variable winnerswinner2_best_at_start_0_1_choice, winnerswinner2_best_at_start_0_2_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_at_start_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_at_start_0_0_choice : boolean;
+    variable refinement_passed_3_0_choice, refinement_passed_3_0_choice_2, turn_order_address_all : boolean;
+    variable turn_order_address_all_2, turn_order_complete_any, turn_order_turned_output_column_all : boolean;
+    variable turn_order_turned_output_column_choice, other_0_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
@@ -5027,11 +5026,11 @@ begin
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
         forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= sums_turn_comes_4;
+        forward_above_comes_5 <= forward_above_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= sums_turn_comes_8;
+        forward_above_comes_9 <= forward_above_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -5136,8 +5135,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if other_1 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -5259,15 +5257,6 @@ begin
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_column;
-        sums_turn_comes_0 <= entry_tag_map_column;
-        sums_turn_comes_1 <= sums_turn_comes_0;
-        sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= forward_above_comes_4;
-        sums_turn_comes_6 <= sums_turn_comes_5;
-        sums_turn_comes_7 <= sums_turn_comes_6;
-        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -5400,8 +5389,7 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
+      if other_0 then
         sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
           * 128);
         sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
@@ -5978,6 +5966,11 @@ begin
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
+      -- other
+      other_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      other_0 <= entry_next_tag_valid and other_0_choice;
+      other_1 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when forward_above_comes_9
+        else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -6134,15 +6127,6 @@ begin
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
         forward_above_write_column <= 0;
-        sums_turn_comes_0 <= false;
-        sums_turn_comes_1 <= false;
-        sums_turn_comes_2 <= false;
-        sums_turn_comes_3 <= false;
-        sums_turn_comes_4 <= false;
-        sums_turn_comes_5 <= false;
-        sums_turn_comes_6 <= false;
-        sums_turn_comes_7 <= false;
-        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -6242,6 +6226,8 @@ begin
         turn_ready_tag_output_column <= false;
         turn_ready_tag_start_of_frame <= false;
         turn_ready_tag_end_of_line <= false;
+        other_0 <= false;
+        other_1 <= false;
       end if;
     end if;
   end process;

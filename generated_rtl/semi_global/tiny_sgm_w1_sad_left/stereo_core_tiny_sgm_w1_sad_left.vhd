@@ -225,8 +225,8 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 62;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 62;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 62;
@@ -271,16 +271,14 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal sums_turn_place_3, sums_turn_place_4, sums_turn_place_5, sums_turn_place_6 : natural range 0 to 31;
   signal sums_turn_place_7, sums_turn_place_8, sums_turn_write_smallest_0 : natural range 0 to 31;
   signal sums_turn_write_place, sums_right_room, sums_right_smallest : natural range 0 to 31;
-  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
-  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
-  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
-  signal sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_write_sums_0, sums_turn_write_sums_1, sums_turn_write_sums_2 : natural range 0 to 266321790;
   signal sums_cost_0_0, sums_cost_0_1, sums_cost_0_2, sums_cost_0_3, sums_cost_0_4 : natural range 0 to 15;
   signal sums_cost_0_5, sums_cost_0_6, sums_cost_0_7, sums_cost_0_8, sums_cost_0_9 : natural range 0 to 15;
@@ -540,81 +538,81 @@ begin
     variable delay_tag_map_column_is_less, delay_tag_map_column_all, entry_order_address_all : boolean;
     variable entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
-    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
-    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
-    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
-    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
-    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
-    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner2_of_pair_0_0_choice : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
-    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_4 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_5 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_6 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
-    variable turn_order_turned_output_column_choice, other_2_is_less, other_3_is_less, other_9_is_less : boolean;
-    variable other_10_is_less, other_11_is_less, other_12_is_less, other_13_is_less, other_19_is_less : boolean;
-    variable other_20_is_less, other_21_is_less, other_22_is_less, other_23_is_less : boolean;
+    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_8_choice : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_value : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_4, winnerswinner1_of_pair_0_10_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_four_0_0_choice : boolean;
+    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
+    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
+    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_8_choice : boolean;
+    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
+    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner1_of_four_0_8_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_four_index_0_0_value : boolean;
+    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
+    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_6, turn_order_address_all, turn_order_address_all_2 : boolean;
+    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice, other_2_is_less : boolean;
+    variable other_3_is_less, other_9_is_less, other_10_is_less, other_11_is_less, other_12_is_less : boolean;
+    variable other_13_is_less, other_19_is_less, other_20_is_less, other_21_is_less, other_22_is_less : boolean;
+    variable other_23_is_less : boolean;
     variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
     variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
     variable entry_order_address_choice_3, forward_left_room_choice, forward_left_room_choice_2 : natural range 0 to 31;
@@ -1288,11 +1286,11 @@ begin
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
         forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= sums_turn_comes_4;
+        forward_above_comes_5 <= forward_above_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= sums_turn_comes_8;
+        forward_above_comes_9 <= forward_above_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -1373,6 +1371,8 @@ begin
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
+        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -1397,8 +1397,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -1520,15 +1519,6 @@ begin
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_cost;
-        sums_turn_comes_0 <= entry_tag_map_column;
-        sums_turn_comes_1 <= sums_turn_comes_0;
-        sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= forward_above_comes_4;
-        sums_turn_comes_6 <= sums_turn_comes_5;
-        sums_turn_comes_7 <= sums_turn_comes_6;
-        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -1661,22 +1651,8 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
-        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
-          * 128);
-        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
-          * 128);
-        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
-          (forward_sum_9 * 128);
-        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
-          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
-          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
-        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
-          (forward_cost_3_9 * 16);
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
       sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
       sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
@@ -1695,6 +1671,21 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
+          * 128);
+        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
+          * 128);
+        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
+          (forward_sum_9 * 128);
+        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
+          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
+          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
+          (forward_cost_3_9 * 16);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
         when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
@@ -2376,16 +2367,8 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        sums_turn_comes_0 <= false;
-        sums_turn_comes_1 <= false;
-        sums_turn_comes_2 <= false;
-        sums_turn_comes_3 <= false;
-        sums_turn_comes_4 <= false;
-        sums_turn_comes_5 <= false;
-        sums_turn_comes_6 <= false;
-        sums_turn_comes_7 <= false;
-        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -2395,6 +2378,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;

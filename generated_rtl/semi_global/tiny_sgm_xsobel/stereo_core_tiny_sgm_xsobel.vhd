@@ -311,8 +311,8 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_above_read_words_0, forward_above_read_words_1, forward_above_ready_words_0 : unsigned(31 downto 0);
   signal forward_above_ready_words_1, forward_above_write_words_0, forward_above_write_words_1 : unsigned(31 downto 0);
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 62;
@@ -359,16 +359,14 @@ architecture rtl of stereo_core_tiny_sgm_xsobel is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 31;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 31;
   signal sums_right_room, sums_right_smallest : natural range 0 to 31;
-  signal sums_turn_ready_first, sums_turn_comes_0, sums_turn_comes_1, sums_turn_comes_2, sums_turn_comes_3 : boolean;
-  signal sums_turn_comes_4, sums_turn_comes_5, sums_turn_comes_6, sums_turn_comes_7, sums_turn_comes_8 : boolean;
-  signal sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid, sums_tag_map_column : boolean;
-  signal sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
-  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
-  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
-  signal sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_right_pair_0, sums_right_pair_1, sums_right_pair_2, sums_right_pair_3 : natural range 0 to 127;
   signal sums_right_pair_4, sums_right_pair_5, sums_right_tree_smallest_0 : natural range 0 to 127;
   signal sums_right_tree_smallest_1, sums_right_tree_smallest_2 : natural range 0 to 127;
@@ -675,91 +673,91 @@ begin
     variable slice2cost_single_0_1_is_less, slice2cost_single_1_0_is_less, slice2cost_single_1_1_is_less : boolean;
     variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable forward_above_write_words_0_all, sums_right_start_cost_0_value, sums_turn_write_sums_0_all : boolean;
-    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_0_value_5, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_8, winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_2_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_4_value_5, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_8, winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_6_choice_8 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_8_value_5, winnerswinner1_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_8, winnerswinner1_of_pair_0_10_choice : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_value_5 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_pair_0_10_choice_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
-    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_0_value_11, winnerswinner1_of_four_0_0_value_12 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_0_choice_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_value_11, winnerswinner1_of_four_0_4_value_12 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_4_choice_8 : boolean;
-    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
-    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
-    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_8_value_11, winnerswinner1_of_four_0_8_value_12 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner1_of_four_0_8_choice_8 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_5, winnerswinner2_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_8, winnerswinner2_four_index_0_0_value : boolean;
-    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_7, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice : boolean;
+    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_0_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_2_value_5, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_8, winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_4_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_6_value_5, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_8, winnerswinner1_of_pair_0_8_choice : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_value : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_value_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_8_choice_8 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_4, winnerswinner1_of_pair_0_10_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_5, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_8, winnerswinner1_of_four_0_0_choice : boolean;
+    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_value_11 : boolean;
+    variable winnerswinner1_of_four_0_0_value_12, winnerswinner1_of_four_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_8, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_value_11 : boolean;
+    variable winnerswinner1_of_four_0_4_value_12, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_8, winnerswinner1_of_four_0_8_choice : boolean;
+    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
+    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner1_of_four_0_8_value_11 : boolean;
+    variable winnerswinner1_of_four_0_8_value_12, winnerswinner1_of_four_0_8_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_8, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_value_5 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_of_pair_0_0_choice_8 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_4 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_5 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_value_7 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_6, winnerswinner2_four_index_0_0_choice_7 : boolean;
+    variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
+    variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_3, transform_counter_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice, transform_left_filter_feature_0_choice_2 : natural range 0 to 127;
@@ -1838,11 +1836,11 @@ begin
         forward_above_comes_2 <= forward_above_comes_1;
         forward_above_comes_3 <= forward_above_comes_2;
         forward_above_comes_4 <= forward_above_comes_3;
-        forward_above_comes_5 <= sums_turn_comes_4;
+        forward_above_comes_5 <= forward_above_comes_4;
         forward_above_comes_6 <= forward_above_comes_5;
         forward_above_comes_7 <= forward_above_comes_6;
         forward_above_comes_8 <= forward_above_comes_7;
-        forward_above_comes_9 <= sums_turn_comes_8;
+        forward_above_comes_9 <= forward_above_comes_8;
         forward_above_column_0 <= entry_column;
         forward_above_column_1 <= forward_above_column_0;
         forward_above_column_2 <= forward_above_column_1;
@@ -1923,6 +1921,8 @@ begin
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
+        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -1947,8 +1947,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      forward_above_write_words_0_all := forward_above_comes_9 and entry_tag_valid;
-      if forward_above_write_words_0_all then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -2070,15 +2069,6 @@ begin
         sums_turn_ready_costs_1 <= to_integer(sums_turn_read_costs_1);
         sums_turn_ready_smallest_0 <= to_integer(sums_turn_read_smallest_0);
         sums_turn_ready_first <= entry_tag_first_column;
-        sums_turn_comes_0 <= entry_tag_map_column;
-        sums_turn_comes_1 <= sums_turn_comes_0;
-        sums_turn_comes_2 <= sums_turn_comes_1;
-        sums_turn_comes_3 <= sums_turn_comes_2;
-        sums_turn_comes_4 <= sums_turn_comes_3;
-        sums_turn_comes_5 <= forward_above_comes_4;
-        sums_turn_comes_6 <= sums_turn_comes_5;
-        sums_turn_comes_7 <= sums_turn_comes_6;
-        sums_turn_comes_8 <= sums_turn_comes_7;
         sums_turn_place_0 <= entry_place;
         sums_turn_place_1 <= sums_turn_place_0;
         sums_turn_place_2 <= sums_turn_place_1;
@@ -2211,21 +2201,8 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      sums_turn_write_sums_0_all := forward_above_comes_8 and entry_tag_valid;
-      if sums_turn_write_sums_0_all then
-        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
-          * 128);
-        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
-          * 128);
-        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
-          (forward_sum_9 * 128);
-        sums_turn_write_costs_0 <= (forward_cost_3_4 * 1048576) + (forward_cost_3_5 * 33554432) + (forward_cost_3_3 *
-          32768) + (forward_cost_3_2 * 1024) + forward_cost_3_0 + (forward_cost_3_1 * 32);
-        sums_turn_write_costs_1 <= (forward_cost_3_10 * 1048576) + (forward_cost_3_11 * 33554432) + (forward_cost_3_9 *
-          32768) + (forward_cost_3_8 * 1024) + forward_cost_3_6 + (forward_cost_3_7 * 32);
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
       sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(20 downto 14));
@@ -2244,6 +2221,20 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
+          * 128);
+        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
+          * 128);
+        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
+          (forward_sum_9 * 128);
+        sums_turn_write_costs_0 <= (forward_cost_3_4 * 1048576) + (forward_cost_3_5 * 33554432) + (forward_cost_3_3 *
+          32768) + (forward_cost_3_2 * 1024) + forward_cost_3_0 + (forward_cost_3_1 * 32);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 1048576) + (forward_cost_3_11 * 33554432) + (forward_cost_3_9 *
+          32768) + (forward_cost_3_8 * 1024) + forward_cost_3_6 + (forward_cost_3_7 * 32);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
         when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
@@ -2901,16 +2892,8 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
-        sums_turn_comes_0 <= false;
-        sums_turn_comes_1 <= false;
-        sums_turn_comes_2 <= false;
-        sums_turn_comes_3 <= false;
-        sums_turn_comes_4 <= false;
-        sums_turn_comes_5 <= false;
-        sums_turn_comes_6 <= false;
-        sums_turn_comes_7 <= false;
-        sums_turn_comes_8 <= false;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
         sums_turn_place_2 <= 0;
@@ -2920,6 +2903,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"0a32503b",
+      core_id => x"3432d3da",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
