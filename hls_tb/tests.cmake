@@ -54,15 +54,15 @@ stereo_add_unit_tests(
   blocks/dynamic_range/window_targets_test.cpp
   blocks/phase_correlation/phase_transform_test.cpp
   blocks/phase_correlation/phase_distance_test.cpp
+  blocks/rectification/bilinear_test.cpp
+  blocks/rectification/config_test.cpp
+  blocks/rectification/core_test.cpp
+  blocks/rectification/quad_memory_test.cpp
   blocks/semi_global/config_test.cpp
   blocks/semi_global/cost_slice_test.cpp
   blocks/semi_global/path_above_test.cpp
   blocks/semi_global/row_order_test.cpp
   blocks/semi_global/row_path_test.cpp
-  blocks/rectification/bilinear_test.cpp
-  blocks/rectification/config_test.cpp
-  blocks/rectification/core_test.cpp
-  blocks/rectification/quad_memory_test.cpp
   blocks/trellis/forward_test.cpp
   cores/block_matching/core_large_test.cpp
   cores/block_matching/core_memories_test.cpp)
