@@ -46,8 +46,9 @@ struct WindowTargets {
    Word newest[1];
    uint16_t read_column;
    bool comes;
-   uint16_t pause;   ///< clocks since the last block of a row has come, up to kPause
-   uint16_t walked;  ///< blocks, kWalk: it has ended
+   uint16_t pause;       ///< clocks since the last block of a row has come, up to kPause
+   uint16_t walked;      ///< blocks, kWalk: it has ended
+   uint16_t walk_place;  ///< of the next block; behind the first block it stands at the last one again
    uint16_t next_band;
    bool last_row;  ///< the newest row is the last one
    bool again;     ///< the walk is that of the last row itself
@@ -83,6 +84,7 @@ struct WindowTargets {
       visit("comes", comes);
       visit("pause", pause, kPause);
       visit("walked", walked, kWalk);
+      visit("walk_place", walk_place);
       visit("next_band", next_band);
       visit("last_row", last_row);
       visit("again", again);
@@ -146,14 +148,16 @@ struct WindowTargets {
       walk.has_below = !again;
       newest[0] = blocks.range;
       comes = blocks.valid;
-      const uint16_t walk_column = select<uint16_t>(walked < kColumns, walk.column, 0);
-      read_column = at_most<kColumns - 1>(select<uint16_t>(blocks.valid, blocks.block_column, walk_column));
+      read_column = at_most<kColumns - 1>(select<uint16_t>(blocks.valid, blocks.block_column, walk_place));
 
       const bool single = kRows == 1;
       const uint16_t next_walked = select<uint16_t>(walks, uint16_t(walked + 1), walked);
       const uint16_t next_pause = select<uint16_t>(pause != kPause, uint16_t(pause + 1), pause);
       const uint16_t band_above = select<uint16_t>(single, blocks.block_row, uint16_t(blocks.block_row - 1));
+      const uint16_t place_before = select<uint16_t>(walk_place == 0, kColumns - 1, uint16_t(walk_place - 1));
+      const uint16_t next_place = select<uint16_t>(walks, place_before, walk_place);
       walked = select<uint16_t>(begins | repeats, 0, next_walked);
+      walk_place = at_most<kColumns - 1>(select<uint16_t>(begins | repeats, kColumns - 1, next_place));
       pause = select<uint16_t>(begins, 0, next_pause);
       next_band = select<uint16_t>(begins, band_above, select<uint16_t>(repeats, uint16_t(next_band + 1), next_band));
       again = select<bool>(begins, single, again | repeats);

@@ -64,7 +64,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3024,
       gap_groups => 1536,
-      core_id => x"453c60f3",
+      core_id => x"dbc65534",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
