@@ -460,9 +460,10 @@ architecture rtl of stereo_core_tiny_dynamic is
   -- targets
   signal targets_newest_0, targets_rows_read_newest_0, targets_rows_ready_newest_0 : natural range 0 to 127;
   signal targets_column_range, targets_behind, targets_here, targets_around : natural range 0 to 127;
-  signal targets_read_column, targets_walk_band, targets_read_place, targets_ready_place : natural range 0 to 7;
-  signal targets_write_column, targets_read_walk_band, targets_ready_walk_band : natural range 0 to 7;
-  signal targets_column_walk_band, targets_around_walk_band, targets_wish_walk_band : natural range 0 to 7;
+  signal targets_read_column, targets_walk_place, targets_walk_band, targets_read_place : natural range 0 to 7;
+  signal targets_ready_place, targets_write_column, targets_read_walk_band : natural range 0 to 7;
+  signal targets_ready_walk_band, targets_column_walk_band, targets_around_walk_band : natural range 0 to 7;
+  signal targets_wish_walk_band : natural range 0 to 7;
   signal targets_comes, targets_last_row, targets_again, targets_walk_has_above, targets_walk_has_below : boolean;
   signal targets_walk_valid, targets_read_comes, targets_ready_comes, targets_read_walk_has_above : boolean;
   signal targets_read_walk_has_below, targets_read_walk_valid, targets_ready_walk_has_above : boolean;
@@ -1602,32 +1603,32 @@ begin
     variable ranges_range_choice_4, ranges_range_value_4, ranges_range_choice_6, ranges_range_choice_7 : boolean;
     variable ranges_range_choice_8, ranges_range_choice_9, ranges_next_above_value, ranges_next_above_value_2 : boolean;
     variable targets_pause_all, targets_pause_is_equal, targets_walked_is_equal, targets_walked_all : boolean;
-    variable targets_walked_all_2, targets_again_choice, targets_again_choice_2, targets_column_range_value : boolean;
-    variable targets_column_range_all, targets_column_range_choice, targets_column_range_choice_2 : boolean;
-    variable targets_column_range_value_2, targets_column_range_choice_3, targets_column_range_any : boolean;
-    variable targets_column_range_all_2, targets_column_range_value_3, targets_column_range_value_4 : boolean;
-    variable targets_column_range_choice_4, targets_column_range_choice_5, targets_column_range_choice_6 : boolean;
-    variable targets_column_range_value_5, targets_column_range_value_6, targets_column_range_choice_7 : boolean;
-    variable targets_column_range_choice_8, targets_column_range_choice_9, targets_column_range_choice_10 : boolean;
-    variable targets_column_range_value_7, targets_column_range_value_8, targets_column_range_choice_11 : boolean;
-    variable targets_column_range_choice_12, targets_column_range_choice_13, targets_column_range_choice_14 : boolean;
-    variable targets_column_range_choice_15, targets_column_range_choice_16, targets_column_range_all_3 : boolean;
-    variable targets_column_range_choice_17, targets_column_range_choice_18, targets_column_range_choice_19 : boolean;
-    variable targets_column_range_choice_20, targets_column_range_choice_21, targets_column_range_all_4 : boolean;
-    variable targets_column_range_choice_22, targets_column_range_value_12, targets_column_range_value_13 : boolean;
-    variable targets_column_range_choice_30, targets_column_range_choice_31, targets_column_range_choice_32 : boolean;
-    variable targets_column_range_value_14, targets_column_range_value_15, targets_column_range_choice_33 : boolean;
-    variable targets_column_range_choice_34, targets_column_range_choice_35, targets_column_range_choice_36 : boolean;
-    variable targets_column_range_value_16, targets_column_range_choice_37, targets_column_range_choice_38 : boolean;
-    variable targets_column_range_choice_39, targets_column_range_choice_40, targets_column_range_choice_41 : boolean;
-    variable targets_column_range_all_5, targets_column_range_choice_42, targets_column_range_choice_43 : boolean;
-    variable targets_column_range_choice_44, targets_column_range_choice_45, targets_column_range_choice_46 : boolean;
-    variable targets_column_range_choice_47, targets_around_is_equal, targets_around_choice : boolean;
-    variable targets_around_value, targets_around_value_2, targets_around_differs, targets_around_value_3 : boolean;
-    variable targets_around_value_4, targets_around_choice_2, targets_around_value_5, targets_around_value_6 : boolean;
-    variable targets_around_choice_3, targets_around_all, targets_around_all_2, targets_around_choice_4 : boolean;
-    variable targets_around_choice_5, targets_around_choice_6, targets_around_value_7 : boolean;
-    variable targets_around_choice_7, targets_around_choice_8, targets_around_value_8 : boolean;
+    variable targets_walked_all_2, targets_walked_all_3, targets_again_choice, targets_again_choice_2 : boolean;
+    variable targets_column_range_value, targets_column_range_all, targets_column_range_choice : boolean;
+    variable targets_column_range_choice_2, targets_column_range_value_2, targets_column_range_choice_3 : boolean;
+    variable targets_column_range_any, targets_column_range_all_2, targets_column_range_value_3 : boolean;
+    variable targets_column_range_value_4, targets_column_range_choice_4, targets_column_range_choice_5 : boolean;
+    variable targets_column_range_choice_6, targets_column_range_value_5, targets_column_range_value_6 : boolean;
+    variable targets_column_range_choice_7, targets_column_range_choice_8, targets_column_range_choice_9 : boolean;
+    variable targets_column_range_choice_10, targets_column_range_value_7, targets_column_range_value_8 : boolean;
+    variable targets_column_range_choice_11, targets_column_range_choice_12, targets_column_range_choice_13 : boolean;
+    variable targets_column_range_choice_14, targets_column_range_choice_15, targets_column_range_choice_16 : boolean;
+    variable targets_column_range_all_3, targets_column_range_choice_17, targets_column_range_choice_18 : boolean;
+    variable targets_column_range_choice_19, targets_column_range_choice_20, targets_column_range_choice_21 : boolean;
+    variable targets_column_range_all_4, targets_column_range_choice_22, targets_column_range_value_12 : boolean;
+    variable targets_column_range_value_13, targets_column_range_choice_30, targets_column_range_choice_31 : boolean;
+    variable targets_column_range_choice_32, targets_column_range_value_14, targets_column_range_value_15 : boolean;
+    variable targets_column_range_choice_33, targets_column_range_choice_34, targets_column_range_choice_35 : boolean;
+    variable targets_column_range_choice_36, targets_column_range_value_16, targets_column_range_choice_37 : boolean;
+    variable targets_column_range_choice_38, targets_column_range_choice_39, targets_column_range_choice_40 : boolean;
+    variable targets_column_range_choice_41, targets_column_range_all_5, targets_column_range_choice_42 : boolean;
+    variable targets_column_range_choice_43, targets_column_range_choice_44, targets_column_range_choice_45 : boolean;
+    variable targets_column_range_choice_46, targets_column_range_choice_47, targets_around_is_equal : boolean;
+    variable targets_around_choice, targets_around_value, targets_around_value_2, targets_around_differs : boolean;
+    variable targets_around_value_3, targets_around_value_4, targets_around_choice_2, targets_around_value_5 : boolean;
+    variable targets_around_value_6, targets_around_choice_3, targets_around_all, targets_around_all_2 : boolean;
+    variable targets_around_choice_4, targets_around_choice_5, targets_around_choice_6 : boolean;
+    variable targets_around_value_7, targets_around_choice_7, targets_around_choice_8, targets_around_value_8 : boolean;
     variable targets_around_choice_9, targets_around_choice_10, targets_around_choice_11 : boolean;
     variable targets_around_choice_12, targets_around_choice_13, targets_around_value_9 : boolean;
     variable targets_around_value_10, targets_around_value_11, targets_around_value_12 : boolean;
@@ -2130,7 +2131,7 @@ begin
     variable coarseslice0other_winner_0_6_choice, coarseslice0other_winner_0_6_choice_2 : natural range 0 to 7;
     variable coarseslice0other_winner_0_7_choice, coarseslice0other_winner_0_7_choice_2 : natural range 0 to 7;
     variable coarseleftright_address_0_value, ranges_pair_0_choice_6, ranges_pair_0_choice_10 : natural range 0 to 7;
-    variable ranges_range_choice_5, ranges_range_choice_10, targets_read_column_choice : natural range 0 to 7;
+    variable ranges_range_choice_5, ranges_range_choice_10, targets_walk_place_choice : natural range 0 to 7;
     variable targets_column_range_choice_23, targets_column_range_choice_24 : natural range 0 to 7;
     variable targets_column_range_value_11, targets_column_range_choice_25 : natural range 0 to 7;
     variable targets_column_range_choice_26, targets_column_range_choice_27 : natural range 0 to 7;
@@ -2193,7 +2194,6 @@ begin
     variable highwindow_change_0_11_choice, highwindow_change_0_12_choice : natural range 0 to 127;
     variable highwindow_change_0_13_choice, highwindow_change_0_14_choice : natural range 0 to 127;
     variable highwindow_change_0_15_choice : natural range 0 to 127;
-    variable targets_read_column_difference : integer range -65528 to 7;
     variable targets_column_range_value_9, targets_column_range_value_10 : natural range 0 to 63;
     variable targets_column_range_choice_48, targets_column_range_choice_49 : natural range 0 to 63;
     variable targets_column_range_choice_50, targets_column_range_choice_52 : natural range 0 to 63;
@@ -3901,19 +3901,19 @@ begin
         ranges_pairs_written <= ranges_pair_ready_column;
       end if;
       -- targets
-      targets_read_column_difference := 7 - targets_walked;
-      if targets_walked < 8 then
-        targets_read_column_choice := targets_read_column_difference mod 8;
-      else
-        targets_read_column_choice := 0;
-      end if;
       targets_pause_all := (ranges_block_row /= 0) and (ranges_block_column = 7) and ranges_valid;
       targets_pause_is_equal := targets_pause = 6;
       targets_pause_choice := 6 when targets_pause_is_equal else (targets_pause + 1) mod 65536;
       targets_walked_is_equal := targets_walked = 8;
       targets_walked_all := targets_last_row and targets_walked_is_equal and (not targets_again) and
         targets_pause_is_equal;
-      targets_walked_all_2 := targets_pause_is_equal and (targets_walked /= 9);
+      targets_walked_all_2 := (not targets_pause_all) and (not targets_walked_all);
+      targets_walked_all_3 := targets_pause_is_equal and (targets_walked /= 9);
+      if targets_walked_all_3 then
+        targets_walk_place_choice := (targets_walk_place + 7) mod 8;
+      else
+        targets_walk_place_choice := targets_walk_place;
+      end if;
       targets_again_choice := (not targets_again) and (targets_pause /= 6) when targets_walked_is_equal else not
         targets_again;
       targets_again_choice_2 := targets_again_choice when targets_last_row else not targets_again;
@@ -4198,19 +4198,19 @@ begin
       end if;
       targets_high_choice_3 := targets_high_choice_2 when targets_low_all else targets_high / 2;
       targets_newest_0 <= ranges_range;
-      targets_read_column <= ranges_block_column when ranges_valid else targets_read_column_choice;
+      targets_read_column <= ranges_block_column when ranges_valid else targets_walk_place;
       targets_comes <= ranges_valid;
       targets_pause <= 0 when targets_pause_all else targets_pause_choice;
-      targets_walked <= (targets_walked + as_number(targets_walked_all_2)) mod 65536 when (not targets_pause_all) and
-        (not targets_walked_all) else 0;
+      targets_walked <= (targets_walked + as_number(targets_walked_all_3)) mod 65536 when targets_walked_all_2 else 0;
+      targets_walk_place <= targets_walk_place_choice when targets_walked_all_2 else 7;
       targets_next_band <= (ranges_block_row + 65535) mod 65536 when targets_pause_all else (targets_next_band +
         as_number(targets_walked_all)) mod 65536;
       targets_again <= (not targets_again_choice_2) and (not targets_pause_all);
-      targets_walk_column <= targets_read_column_difference mod 65536;
+      targets_walk_column <= (7 - targets_walked) mod 65536;
       targets_walk_band <= targets_next_band mod 8;
       targets_walk_has_above <= targets_next_band /= 0;
       targets_walk_has_below <= not targets_again;
-      targets_walk_valid <= targets_walked_all_2;
+      targets_walk_valid <= targets_walked_all_3;
       targets_rows_read_newest_0 <= targets_newest_0;
       targets_rows_ready_words_0 <= to_integer(targets_rows_read_words_0);
       targets_rows_ready_newest_0 <= targets_rows_read_newest_0;
@@ -9117,6 +9117,7 @@ begin
         targets_comes <= false;
         targets_pause <= 6;
         targets_walked <= 9;
+        targets_walk_place <= 0;
         targets_next_band <= 0;
         targets_last_row <= false;
         targets_again <= false;
