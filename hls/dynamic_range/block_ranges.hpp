@@ -23,7 +23,8 @@ struct BlockRanges {
    /// A disparity, and above it whether it counts.
    static constexpr int kLaneBits = kBits + 1;
    using Pixels = RowBuffer<kLaneBits, 1, 2, kColumns + 1>;
-   using Pairs = RowBuffer<Range::kWordBits, 1, 1, C.block_columns()>;
+   /// Pair k ends with coarse column 2k - 1.
+   using Pairs = RowBuffer<Range::kWordBits, 1, 1, C.block_columns() + 1>;
    using Lane = typename Pixels::Lane;
    static constexpr int kMemories = Pixels::kMemories + Pairs::kMemories;
    /// From a pixel of the coarse map to the block that it completes: a column later.
@@ -52,7 +53,7 @@ struct BlockRanges {
    // clock 4: rows of two columns
    Lane left, above, middle, below;     // the centre's column and the one before it
    Lane next_above, right, next_below;  // and the one behind it
-   Place centre;
+   Place centre;                        ///< its column is the one behind the centre's
    // clock 5
    bool counts;
    Value disparity;
@@ -122,11 +123,10 @@ struct BlockRanges {
    HLS_INLINE void join_rows() {
       range = Range::joined(pairs.row(0), pairs.row(1));
       valid = pair_ready.valid & ((pair_ready.row & 1) != 0);
-      block_column = pair_ready.column;
+      block_column = uint16_t(pair_ready.column - 1);
       block_row = uint16_t(pair_ready.row >> 1);
       pairs.clock(pair, paired.column, pair_ready.valid, pairs_written);
-      pairs_written =
-          at_most<C.block_columns() - 1>(select<uint16_t>(pair_ready.valid, pair_ready.column, pairs_written));
+      pairs_written = at_most<C.block_columns()>(select<uint16_t>(pair_ready.valid, pair_ready.column, pairs_written));
       pair_ready = pair_read;
       pair_read = paired;
    }
@@ -135,8 +135,8 @@ struct BlockRanges {
    HLS_INLINE void join_columns() {
       const Word here = select<Word>(counts, Range::of(disparity, disparity), 0);
       pair[0] = Range::joined(first_of_pair, here);
-      paired.valid = counted.valid & ((counted.column & 1) != 0);
-      paired.column = at_most<C.block_columns() - 1>(counted.column >> 1);
+      paired.valid = counted.valid & ((counted.column & 1) == 0);
+      paired.column = at_most<C.block_columns()>(counted.column >> 1);
       paired.row = counted.row;
       first_of_pair = select<Word>(counted.valid, here, first_of_pair);
    }
@@ -170,7 +170,7 @@ struct BlockRanges {
       next_above = select<Lane>(moves, row_above, next_above);
       next_below = select<Lane>(moves, pixels.row(2), next_below);
       centre.valid = moves & (ready.column >= 1) & (ready.row >= 1);
-      centre.column = uint16_t(ready.column - 1);
+      centre.column = ready.column;
       centre.row = uint16_t(ready.row - 1);
       pixels.clock(pixel, in.column, ready.valid, pixels_written);
       pixels_written = at_most<kColumns>(select<uint16_t>(ready.valid, ready.column, pixels_written));

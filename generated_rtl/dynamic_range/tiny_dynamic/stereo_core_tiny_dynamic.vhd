@@ -438,20 +438,20 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal coarseleftright_found_0 : unsigned(2 downto 0);
   -- ranges
   signal ranges_column, ranges_in_column, ranges_read_column, ranges_ready_column : natural range 0 to 31;
-  signal ranges_pixels_written : natural range 0 to 31;
+  signal ranges_pixels_written, ranges_centre_column, ranges_counted_column : natural range 0 to 31;
   signal ranges_row, ranges_pixel_0, ranges_in_row, ranges_pixels_read_newest_0 : natural range 0 to 15;
   signal ranges_pixels_ready_newest_0, ranges_read_row, ranges_ready_row, ranges_left : natural range 0 to 15;
   signal ranges_above, ranges_middle, ranges_below, ranges_next_above, ranges_right : natural range 0 to 15;
-  signal ranges_next_below : natural range 0 to 15;
+  signal ranges_next_below, ranges_paired_column, ranges_pair_read_column : natural range 0 to 15;
+  signal ranges_pair_ready_column, ranges_pairs_written : natural range 0 to 15;
   signal ranges_in_valid, ranges_read_valid, ranges_ready_valid, ranges_centre_valid, ranges_counts : boolean;
   signal ranges_counted_valid, ranges_paired_valid, ranges_pair_read_valid, ranges_pair_ready_valid : boolean;
   signal ranges_valid : boolean;
   signal ranges_pixels_read_words_0 : unsigned(7 downto 0);
   signal ranges_pixels_ready_words_0, ranges_pixels_write_words_0 : natural range 0 to 255;
   signal ranges_centre_row, ranges_counted_row, ranges_paired_row, ranges_pair_read_row : natural range 0 to 65535;
-  signal ranges_pair_ready_row : natural range 0 to 65535;
-  signal ranges_disparity, ranges_paired_column, ranges_pair_read_column : natural range 0 to 7;
-  signal ranges_pair_ready_column, ranges_pairs_written, ranges_block_column : natural range 0 to 7;
+  signal ranges_pair_ready_row, ranges_block_column : natural range 0 to 65535;
+  signal ranges_disparity : natural range 0 to 7;
   signal ranges_first_of_pair, ranges_pair_0, ranges_pairs_read_newest_0 : natural range 0 to 127;
   signal ranges_pairs_ready_words_0, ranges_pairs_ready_newest_0, ranges_pairs_write_words_0 : natural range 0 to 127;
   signal ranges_range : natural range 0 to 127;
@@ -980,11 +980,10 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal map_passed_0, map_valid, map_start_of_frame, map_end_of_line : boolean;
   -- other
   signal other_0, other_4 : natural range 0 to 65534;
-  signal other_1, other_2, other_5, other_6, other_12, other_13, other_15, other_16 : natural range 0 to 8192;
-  signal other_3, other_7, other_14, other_17 : natural range 0 to 2042;
-  signal other_8, other_9, other_18, other_20 : natural range 0 to 257;
-  signal other_10, other_11 : natural range 0 to 15;
-  signal other_19 : natural range 0 to 30;
+  signal other_1, other_2, other_5, other_6, other_10, other_11, other_13, other_14 : natural range 0 to 8192;
+  signal other_3, other_7, other_12, other_15 : natural range 0 to 2042;
+  signal other_8, other_9, other_16, other_18 : natural range 0 to 257;
+  signal other_17 : natural range 0 to 30;
   signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
   signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
   signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
@@ -1525,7 +1524,7 @@ begin
 
   ranges_pairs_read_words_0_memory_write_data <= to_unsigned(ranges_pairs_write_words_0, 7);
   ranges_pairs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 7)
+    generic map (depth => 9, width => 7)
     port map (
       clock => clock, read_enable => true,
       read_address => ranges_paired_column, read_data => ranges_pairs_read_words_0,
@@ -1603,31 +1602,31 @@ begin
     variable ranges_range_choice_4, ranges_range_value_4, ranges_range_choice_6, ranges_range_choice_7 : boolean;
     variable ranges_range_choice_8, ranges_range_choice_9, ranges_next_above_value, ranges_next_above_value_2 : boolean;
     variable targets_pause_all, targets_pause_is_equal, targets_walked_is_equal, targets_walked_all : boolean;
-    variable targets_walked_all_2, targets_walked_all_3, targets_again_choice, targets_again_choice_2 : boolean;
-    variable targets_column_range_value, targets_column_range_all, targets_column_range_choice : boolean;
-    variable targets_column_range_choice_2, targets_column_range_value_2, targets_column_range_choice_3 : boolean;
-    variable targets_column_range_any, targets_column_range_all_2, targets_column_range_value_3 : boolean;
-    variable targets_column_range_value_4, targets_column_range_choice_4, targets_column_range_choice_5 : boolean;
-    variable targets_column_range_choice_6, targets_column_range_value_5, targets_column_range_value_6 : boolean;
-    variable targets_column_range_choice_7, targets_column_range_choice_8, targets_column_range_choice_9 : boolean;
-    variable targets_column_range_choice_10, targets_column_range_value_7, targets_column_range_value_8 : boolean;
-    variable targets_column_range_choice_11, targets_column_range_choice_12, targets_column_range_choice_13 : boolean;
-    variable targets_column_range_choice_14, targets_column_range_choice_15, targets_column_range_choice_16 : boolean;
-    variable targets_column_range_all_3, targets_column_range_choice_17, targets_column_range_choice_18 : boolean;
-    variable targets_column_range_choice_19, targets_column_range_choice_20, targets_column_range_choice_21 : boolean;
-    variable targets_column_range_all_4, targets_column_range_choice_22, targets_column_range_value_12 : boolean;
-    variable targets_column_range_value_13, targets_column_range_choice_30, targets_column_range_choice_31 : boolean;
-    variable targets_column_range_choice_32, targets_column_range_value_14, targets_column_range_value_15 : boolean;
-    variable targets_column_range_choice_33, targets_column_range_choice_34, targets_column_range_choice_35 : boolean;
-    variable targets_column_range_choice_36, targets_column_range_value_16, targets_column_range_choice_37 : boolean;
-    variable targets_column_range_choice_38, targets_column_range_choice_39, targets_column_range_choice_40 : boolean;
-    variable targets_column_range_choice_41, targets_column_range_all_5, targets_column_range_choice_42 : boolean;
-    variable targets_column_range_choice_43, targets_column_range_choice_44, targets_column_range_choice_45 : boolean;
-    variable targets_column_range_choice_46, targets_column_range_choice_47, targets_around_is_equal : boolean;
-    variable targets_around_choice, targets_around_value, targets_around_value_2, targets_around_differs : boolean;
-    variable targets_around_value_3, targets_around_value_4, targets_around_choice_2, targets_around_value_5 : boolean;
-    variable targets_around_value_6, targets_around_choice_3, targets_around_all, targets_around_all_2 : boolean;
-    variable targets_around_choice_4, targets_around_choice_5, targets_around_choice_6 : boolean;
+    variable targets_walked_any, targets_walked_all_2, targets_walked_all_3, targets_again_choice : boolean;
+    variable targets_again_choice_2, targets_column_range_value, targets_column_range_all : boolean;
+    variable targets_column_range_choice, targets_column_range_choice_2, targets_column_range_value_2 : boolean;
+    variable targets_column_range_choice_3, targets_column_range_any, targets_column_range_all_2 : boolean;
+    variable targets_column_range_value_3, targets_column_range_value_4, targets_column_range_choice_4 : boolean;
+    variable targets_column_range_choice_5, targets_column_range_choice_6, targets_column_range_value_5 : boolean;
+    variable targets_column_range_value_6, targets_column_range_choice_7, targets_column_range_choice_8 : boolean;
+    variable targets_column_range_choice_9, targets_column_range_choice_10, targets_column_range_value_7 : boolean;
+    variable targets_column_range_value_8, targets_column_range_choice_11, targets_column_range_choice_12 : boolean;
+    variable targets_column_range_choice_13, targets_column_range_choice_14, targets_column_range_choice_15 : boolean;
+    variable targets_column_range_choice_16, targets_column_range_all_3, targets_column_range_choice_17 : boolean;
+    variable targets_column_range_choice_18, targets_column_range_choice_19, targets_column_range_choice_20 : boolean;
+    variable targets_column_range_choice_21, targets_column_range_all_4, targets_column_range_choice_22 : boolean;
+    variable targets_column_range_value_12, targets_column_range_value_13, targets_column_range_choice_30 : boolean;
+    variable targets_column_range_choice_31, targets_column_range_choice_32, targets_column_range_value_14 : boolean;
+    variable targets_column_range_value_15, targets_column_range_choice_33, targets_column_range_choice_34 : boolean;
+    variable targets_column_range_choice_35, targets_column_range_choice_36, targets_column_range_value_16 : boolean;
+    variable targets_column_range_choice_37, targets_column_range_choice_38, targets_column_range_choice_39 : boolean;
+    variable targets_column_range_choice_40, targets_column_range_choice_41, targets_column_range_all_5 : boolean;
+    variable targets_column_range_choice_42, targets_column_range_choice_43, targets_column_range_choice_44 : boolean;
+    variable targets_column_range_choice_45, targets_column_range_choice_46, targets_column_range_choice_47 : boolean;
+    variable targets_around_is_equal, targets_around_choice, targets_around_value, targets_around_value_2 : boolean;
+    variable targets_around_differs, targets_around_value_3, targets_around_value_4, targets_around_choice_2 : boolean;
+    variable targets_around_value_5, targets_around_value_6, targets_around_choice_3, targets_around_all : boolean;
+    variable targets_around_all_2, targets_around_choice_4, targets_around_choice_5, targets_around_choice_6 : boolean;
     variable targets_around_value_7, targets_around_choice_7, targets_around_choice_8, targets_around_value_8 : boolean;
     variable targets_around_choice_9, targets_around_choice_10, targets_around_choice_11 : boolean;
     variable targets_around_choice_12, targets_around_choice_13, targets_around_value_9 : boolean;
@@ -2234,7 +2233,7 @@ begin
     variable highwindow_sum_0_11_choice, highwindow_sum_0_12_choice : natural range 0 to 511;
     variable highwindow_sum_0_13_choice, highwindow_sum_0_14_choice : natural range 0 to 511;
     variable highwindow_sum_0_15_choice : natural range 0 to 511;
-    variable other_19_choice : natural range 11 to 15;
+    variable other_17_choice : natural range 11 to 15;
   begin
     if rising_edge(clock) then
       -- coarse
@@ -2332,7 +2331,7 @@ begin
         (((coarsetransform_counter_column / 8) mod 2) = 1) or (((coarsetransform_counter_column / 4) mod 2) = 1) or
         (((coarsetransform_counter_column / 2) mod 2) = 1);
       coarsetransform_from_first_0_value := ((coarsetransform_centre_group / 4) mod 2) = 1;
-      coarsetransform_from_first_0_differs := (other_19 / 2) /= 0;
+      coarsetransform_from_first_0_differs := (other_17 / 2) /= 0;
       coarsetransform_from_first_0_value_2 := ((coarsetransform_centre_group / 8) mod 2) = 1;
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
@@ -2353,7 +2352,7 @@ begin
       coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and coarsetransform_from_first_0_value_2
         when (not ((coarsetransform_centre_group / 16) = 1)) and ((not coarsetransform_from_first_0_value) or
         ((coarsetransform_centre_group mod 4) = 0)) else coarsetransform_from_first_0_differs;
-      coarsetransform_up_to_last_0 <= (not (((other_19 / 16) = 1) and ((((other_19 / 8) mod 2) = 1) or (((other_19 / 2)
+      coarsetransform_up_to_last_0 <= (not (((other_17 / 16) = 1) and ((((other_17 / 8) mod 2) = 1) or (((other_17 / 2)
         mod 4) = 3)))) and (not (coarsetransform_from_first_0_value_2 and (coarsetransform_from_first_0_value or
         (((coarsetransform_centre_group / 2) mod 2) = 1) or ((coarsetransform_centre_group mod 2) = 1)))) and (not
         ((coarsetransform_centre_group / 16) = 1));
@@ -2368,8 +2367,8 @@ begin
       coarsetransform_right_column_3 <= to_integer(coarsetransform_right_rows_ready_words_0(31 downto 24));
       coarsetransform_right_column_4 <= coarsetransform_right_rows_ready_newest_0;
       coarsetransform_columns_inside_0 <= coarsetransform_up_to_last_0 and coarsetransform_from_first_0;
-      coarsetransform_columns_start_of_frame <= (other_18 mod 2) = 1;
-      coarsetransform_columns_valid <= (other_18 / 256) = 1;
+      coarsetransform_columns_start_of_frame <= (other_16 mod 2) = 1;
+      coarsetransform_columns_valid <= (other_16 / 256) = 1;
       coarsetransform_left_code_column_box_0_0 <= bases_rises_1_1;
       coarsetransform_left_code_column_box_0_1 <= bases_rises_1_0;
       coarsetransform_left_code_column_box_0_2 <= coarsetransform_left_code_column_box_0_3;
@@ -2418,7 +2417,7 @@ begin
         coarsetransform_left_code_row_after_1) mod 16384;
       coarsetransform_left_code_row_odd_2 <= (coarsetransform_left_code_row_before_2 -
         coarsetransform_left_code_row_after_2) mod 16384;
-      coarsetransform_left_code_row_signs <= ((other_15 / 8192) * 2) + (other_16 / 8192) +
+      coarsetransform_left_code_row_signs <= ((other_13 / 8192) * 2) + (other_14 / 8192) +
         ((((coarsetransform_left_code_row_even_2 + coarsetransform_left_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_left_code_row_odd_1 - coarsetransform_left_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_left_code_row_even_1 - coarsetransform_left_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -2468,7 +2467,7 @@ begin
         coarsetransform_right_code_row_after_1) mod 16384;
       coarsetransform_right_code_row_odd_2 <= (coarsetransform_right_code_row_before_2 -
         coarsetransform_right_code_row_after_2) mod 16384;
-      coarsetransform_right_code_row_signs <= ((other_12 / 8192) * 2) + (other_13 / 8192) +
+      coarsetransform_right_code_row_signs <= ((other_10 / 8192) * 2) + (other_11 / 8192) +
         ((((coarsetransform_right_code_row_even_2 + coarsetransform_right_code_row_odd_1) mod 16384) / 8192) * 8) +
         ((((coarsetransform_right_code_row_odd_1 - coarsetransform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((coarsetransform_right_code_row_even_1 - coarsetransform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
@@ -2496,7 +2495,7 @@ begin
         coarsetransform_counter_column <= 0 when coarsetransform_counter_group_is_equal or coarse_pixels_out_start else
           (coarsetransform_counter_column + 1) mod 32;
       end if;
-      if (other_18 / 256) = 1 then
+      if (other_16 / 256) = 1 then
         coarsetransform_left_rows_write_words_0 <= to_unsigned(coarsetransform_left_rows_ready_newest_0, 8) &
           coarsetransform_left_rows_ready_words_0(31 downto 8);
         coarsetransform_right_rows_write_words_0 <= to_unsigned(coarsetransform_right_rows_ready_newest_0, 8) &
@@ -3851,19 +3850,21 @@ begin
       ranges_ready_column <= ranges_read_column;
       ranges_ready_row <= ranges_read_row;
       ranges_ready_valid <= ranges_read_valid;
+      ranges_centre_column <= ranges_ready_column;
       ranges_centre_row <= (ranges_ready_row + 65535) mod 65536;
       ranges_centre_valid <= ranges_centre_valid_differs and ranges_ready_valid and ((ranges_ready_column mod 2) = 1)
         when (ranges_ready_column / 2) = 0 else ranges_centre_valid_differs and ranges_ready_valid;
       ranges_counts <= (ranges_middle / 8) = 1 when (ranges_counts_sum_2 / 4) = 1 else (((ranges_counts_sum_2 / 2) mod
         2) = 1) and ((ranges_middle / 8) = 1);
       ranges_disparity <= ranges_middle mod 8;
+      ranges_counted_column <= ranges_centre_column;
       ranges_counted_row <= ranges_centre_row;
       ranges_counted_valid <= ranges_centre_valid;
       ranges_pair_0 <= 0 when (not ((ranges_first_of_pair mod 2) = 1)) and (not ranges_counts) else
         (ranges_pair_0_choice_6 * 2) + (ranges_pair_0_choice_10 * 16) + 1;
-      ranges_paired_column <= other_10 / 2;
+      ranges_paired_column <= ranges_counted_column / 2;
       ranges_paired_row <= ranges_counted_row;
-      ranges_paired_valid <= ranges_counted_valid and ((other_10 mod 2) = 1);
+      ranges_paired_valid <= ranges_counted_valid and (not ((ranges_counted_column mod 2) = 1));
       ranges_pairs_read_newest_0 <= ranges_pair_0;
       ranges_pairs_ready_words_0 <= to_integer(ranges_pairs_read_words_0);
       ranges_pairs_ready_newest_0 <= ranges_pairs_read_newest_0;
@@ -3875,7 +3876,7 @@ begin
       ranges_pair_ready_valid <= ranges_pair_read_valid;
       ranges_range <= 0 when (not ((ranges_pairs_ready_words_0 mod 2) = 1)) and (not ((ranges_pairs_ready_newest_0 mod
         2) = 1)) else (ranges_range_choice_5 * 2) + (ranges_range_choice_10 * 16) + 1;
-      ranges_block_column <= ranges_pair_ready_column;
+      ranges_block_column <= (ranges_pair_ready_column + 65535) mod 65536;
       ranges_block_row <= ranges_pair_ready_row / 2;
       ranges_valid <= ranges_pair_ready_valid and ((ranges_pair_ready_row mod 2) = 1);
       ranges_next_above_value := ((ranges_ready_row / 4) mod 2) = 1;
@@ -3907,7 +3908,8 @@ begin
       targets_walked_is_equal := targets_walked = 8;
       targets_walked_all := targets_last_row and targets_walked_is_equal and (not targets_again) and
         targets_pause_is_equal;
-      targets_walked_all_2 := (not targets_pause_all) and (not targets_walked_all);
+      targets_walked_any := (ranges_block_row = 0) or (ranges_block_column /= 7) or (not ranges_valid);
+      targets_walked_all_2 := (not targets_walked_all) and targets_walked_any;
       targets_walked_all_3 := targets_pause_is_equal and (targets_walked /= 9);
       if targets_walked_all_3 then
         targets_walk_place_choice := (targets_walk_place + 7) mod 8;
@@ -4198,14 +4200,14 @@ begin
       end if;
       targets_high_choice_3 := targets_high_choice_2 when targets_low_all else targets_high / 2;
       targets_newest_0 <= ranges_range;
-      targets_read_column <= ranges_block_column when ranges_valid else targets_walk_place;
+      targets_read_column <= ranges_block_column mod 8 when ranges_valid else targets_walk_place;
       targets_comes <= ranges_valid;
       targets_pause <= 0 when targets_pause_all else targets_pause_choice;
       targets_walked <= (targets_walked + as_number(targets_walked_all_3)) mod 65536 when targets_walked_all_2 else 0;
       targets_walk_place <= targets_walk_place_choice when targets_walked_all_2 else 7;
       targets_next_band <= (ranges_block_row + 65535) mod 65536 when targets_pause_all else (targets_next_band +
         as_number(targets_walked_all)) mod 65536;
-      targets_again <= (not targets_again_choice_2) and (not targets_pause_all);
+      targets_again <= (not targets_again_choice_2) and targets_walked_any;
       targets_walk_column <= (7 - targets_walked) mod 65536;
       targets_walk_band <= targets_next_band mod 8;
       targets_walk_has_above <= targets_next_band /= 0;
@@ -8398,7 +8400,7 @@ begin
       map_start_of_frame <= choice_best_tag_start_of_frame and choice_best_tag_valid and choice_best_tag_output_column;
       map_end_of_line <= choice_best_tag_end_of_line and choice_best_tag_valid and choice_best_tag_output_column;
       -- other
-      other_19_choice := 15 when coarsetransform_centre_group_any else 11;
+      other_17_choice := 15 when coarsetransform_centre_group_any else 11;
       other_0 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) * 2;
       other_1 <= as_number(((transform_right_code_row_before_0 - transform_right_code_row_after_0) < 0)) * 8192;
       other_2 <= as_number((((other_3 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
@@ -8410,19 +8412,17 @@ begin
       other_8 <= other_9;
       other_9 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_group = 4) and
         (transform_counter_column = 4)));
-      other_10 <= other_11;
-      other_11 <= (ranges_ready_column + 65535) mod 16;
-      other_12 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
+      other_10 <= as_number(((coarsetransform_right_code_row_before_0 - coarsetransform_right_code_row_after_0) < 0)) *
         8192;
-      other_13 <= as_number((((other_14 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
-      other_14 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
-      other_15 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
+      other_11 <= as_number((((other_12 / 2) - coarsetransform_right_code_row_centre_0) < 0)) * 8192;
+      other_12 <= ((coarsetransform_right_code_column_response_0 + coarsetransform_right_code_row_column_0_3) / 2) * 2;
+      other_13 <= as_number(((coarsetransform_left_code_row_before_0 - coarsetransform_left_code_row_after_0) < 0)) *
         8192;
-      other_16 <= as_number((((other_17 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
-      other_17 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
-      other_18 <= other_20;
-      other_19 <= ((other_19_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
-      other_20 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
+      other_14 <= as_number((((other_15 / 2) - coarsetransform_left_code_row_centre_0) < 0)) * 8192;
+      other_15 <= ((coarsetransform_left_code_column_response_0 + coarsetransform_left_code_row_column_0_3) / 2) * 2;
+      other_16 <= other_18;
+      other_17 <= ((other_17_choice + (coarsetransform_counter_column / 2)) mod 16) * 2;
+      other_18 <= (as_number(coarsetransform_valid) * 256) + as_number(((coarsetransform_counter_group = 2) and
         (coarsetransform_counter_column = 2)));
       if reset = '1' then
         coarse_pixels_left <= 0;
@@ -9086,10 +9086,12 @@ begin
         ranges_next_above <= 0;
         ranges_right <= 0;
         ranges_next_below <= 0;
+        ranges_centre_column <= 0;
         ranges_centre_row <= 0;
         ranges_centre_valid <= false;
         ranges_counts <= false;
         ranges_disparity <= 0;
+        ranges_counted_column <= 0;
         ranges_counted_row <= 0;
         ranges_counted_valid <= false;
         ranges_first_of_pair <= 0;
@@ -9442,8 +9444,6 @@ begin
         other_16 <= 0;
         other_17 <= 0;
         other_18 <= 0;
-        other_19 <= 0;
-        other_20 <= 0;
       end if;
     end if;
   end process;
