@@ -16,41 +16,35 @@ namespace stereo::dynamic_range {
 template <int Bits, int Groups>
 struct StreamDelay {
    using Data = uint_of_bits<Bits>;
-   static constexpr int kMostGroups = Config::kMostMemoryBits / (8 * int(sizeof(Data))) - 1;
+   using Word = uint_of_bits<Bits + 1>;
+   static constexpr int kMostGroups = Config::kMostMemoryBits / (8 * int(sizeof(Word))) - 1;
    static constexpr int kClocks = (Groups + kMostGroups - 1) / kMostGroups;
    static constexpr int kLagGroups = Groups;
    /// Of the first ring; the others hold the rest.
    static constexpr int kHere = (Groups + kClocks - 1) / kClocks;
-   using Datas = Ring<Data, kHere + 1, 1>;
-   using Starts = Ring<uint8_t, kHere + 1, 1>;
+   using Delay = Ring<Word, kHere + 1, 1>;
    using Next = typename std::conditional_t<(kClocks > 1), std::type_identity<StreamDelay<Bits, Groups - kHere>>,
                                             std::type_identity<Absent>>::type;
-   static constexpr int kMemories = Datas::kMemories + Starts::kMemories + Next::kMemories;
+   static constexpr int kMemories = Delay::kMemories + Next::kMemories;
 
-   Datas datas;
-   Starts starts;
+   Delay ring;
    bool holds_groups;  ///< a reset leaves the words of the rings, with their starts of frames, as they were
-   Data held[1];
-   uint8_t held_start[1];
+   Word held[1];
    bool held_is_new;
    bool held_valid;
    Next next;
 
    template <class Source, int First>
    HLS_INLINE StreamDelay(Source& memories, MemoryId<First> first)
-       : datas(memories, first),
-         starts(memories, MemoryId<First + Datas::kMemories>()),
-         next(memories, MemoryId<First + Datas::kMemories + Starts::kMemories>()) {
+       : ring(memories, first), next(memories, MemoryId<First + Delay::kMemories>()) {
       start(*this);
    }
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
-      visit("datas", datas);
-      visit("starts", starts);
+      visit("ring", ring);
       visit("holds_groups", holds_groups);
       visit("held", held);
-      visit("held_start", held_start);
       visit("held_is_new", held_is_new);
       visit("held_valid", held_valid);
       if constexpr (kClocks > 1) visit("next", next);
@@ -58,7 +52,7 @@ struct StreamDelay {
 
    HLS_INLINE Data data() const {
       if constexpr (kClocks > 1) return next.data();
-      else return held[0];
+      else return data_here();
    }
    HLS_INLINE bool start_of_frame() const {
       if constexpr (kClocks > 1) return next.start_of_frame();
@@ -70,19 +64,18 @@ struct StreamDelay {
    }
 
    HLS_INLINE void clock(Data data_in, bool start_in, bool valid_in) {
-      if constexpr (kClocks > 1) next.clock(held[0], starts_here(), held_valid);
-      const bool is_new = holds_groups | (datas.read_address == 0);  // place 0 is the first that is written
-      const Data data_words[1] = {data_in};
-      const uint8_t start_words[1] = {uint8_t(start_in)};
-      datas.clock(data_words, valid_in, held);
-      starts.clock(start_words, valid_in, held_start);
+      if constexpr (kClocks > 1) next.clock(data_here(), starts_here(), held_valid);
+      const bool is_new = holds_groups | (ring.read_address == 0);  // place 0 is the first that is written
+      const Word words[1] = {Word(Word(data_in) << 1 | Word(start_in))};
+      ring.clock(words, valid_in, held);
       held_is_new = is_new;
       holds_groups = select<bool>(valid_in, is_new, holds_groups);
       held_valid = valid_in;
    }
 
   private:
-   HLS_INLINE bool starts_here() const { return held_is_new & ((held_start[0] & 1) != 0); }
+   HLS_INLINE Data data_here() const { return Data(held[0] >> 1); }
+   HLS_INLINE bool starts_here() const { return held_is_new & ((held[0] & 1) != 0); }
 };
 
 }  // namespace stereo::dynamic_range
