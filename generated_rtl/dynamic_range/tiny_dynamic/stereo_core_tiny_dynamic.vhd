@@ -477,10 +477,9 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal targets_low_wish, targets_high_wish, targets_high : natural range 0 to 30;
   signal targets_place : natural range 0 to 63;
   -- hold
-  signal hold_back_datas_read_address, hold_back_datas_write_address : natural range 0 to 4095;
+  signal hold_back_ring_read_address, hold_back_ring_write_address : natural range 0 to 4095;
   signal hold_back_holds_groups, hold_back_held_is_new : boolean;
-  signal hold_back_held_0 : unsigned(15 downto 0);
-  signal hold_back_held_start_0 : unsigned(0 downto 0);
+  signal hold_back_held_0 : unsigned(16 downto 0);
   -- transform
   signal transform_left_0, transform_right_0, transform_left_rows_read_newest_0 : natural range 0 to 255;
   signal transform_left_rows_ready_words_2, transform_left_rows_ready_newest_0 : natural range 0 to 255;
@@ -632,10 +631,9 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal transform_right_code_next_row_before_0, transform_right_code_next_row_before_1 : natural range 0 to 12247;
   signal transform_right_code_next_row_after_0, transform_right_code_next_row_after_1 : natural range 0 to 12247;
   -- ahead
-  signal ahead_datas_read_address, ahead_datas_write_address : natural range 0 to 31;
+  signal ahead_ring_read_address, ahead_ring_write_address : natural range 0 to 31;
   signal ahead_holds_groups, ahead_held_is_new, ahead_held_valid : boolean;
-  signal ahead_held_0 : unsigned(11 downto 0);
-  signal ahead_held_start_0 : unsigned(0 downto 0);
+  signal ahead_held_0 : unsigned(12 downto 0);
   -- raster
   signal raster_features_reference_0 : natural range 0 to 4095;
   signal raster_features_valid : boolean;
@@ -1031,16 +1029,14 @@ architecture rtl of stereo_core_tiny_dynamic is
   signal bases_read_targets_2_memory_write_data : unsigned(15 downto 0);
   signal bases_read_targets_1_memory_write_data : unsigned(15 downto 0);
   signal bases_read_targets_0_memory_write_data : unsigned(15 downto 0);
-  signal ahead_held_0_memory_write_data : unsigned(11 downto 0);
-  signal ahead_held_start_0_memory_write_data : unsigned(0 downto 0);
+  signal ahead_held_0_memory_write_data : unsigned(12 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal hold_back_held_0_memory_write_data : unsigned(15 downto 0);
-  signal hold_back_held_start_0_memory_write_data : unsigned(0 downto 0);
+  signal hold_back_held_0_memory_write_data : unsigned(16 downto 0);
   signal targets_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
   signal ranges_pairs_read_words_0_memory_write_data : unsigned(6 downto 0);
   signal ranges_pixels_read_words_0_memory_write_data : unsigned(7 downto 0);
@@ -1434,21 +1430,13 @@ begin
       read_address => bases_address_0, read_data => bases_read_targets_0,
       write_address => targets_place, write_data => bases_read_targets_0_memory_write_data);
 
-  ahead_held_0_memory_write_data <= to_unsigned(transform_right_code_next_bits, 6) & to_unsigned(transform_right_code_bits, 6);
+  ahead_held_0_memory_write_data <= to_unsigned(transform_right_code_next_bits, 6) & to_unsigned(transform_right_code_bits, 6) & to_unsigned(as_number(transform_filtering_7_start_of_frame), 1);
   ahead_held_0_memory : entity work.line_memory
-    generic map (depth => 21, width => 12)
+    generic map (depth => 21, width => 13)
     port map (
       clock => clock, read_enable => true,
-      read_address => ahead_datas_read_address, read_data => ahead_held_0,
-      write_address => ahead_datas_write_address, write_data => ahead_held_0_memory_write_data);
-
-  ahead_held_start_0_memory_write_data <= to_unsigned(as_number(transform_filtering_7_start_of_frame), 1);
-  ahead_held_start_0_memory : entity work.line_memory
-    generic map (depth => 21, width => 1)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => ahead_datas_read_address, read_data => ahead_held_start_0,
-      write_address => ahead_datas_write_address, write_data => ahead_held_start_0_memory_write_data);
+      read_address => ahead_ring_read_address, read_data => ahead_held_0,
+      write_address => ahead_ring_write_address, write_data => ahead_held_0_memory_write_data);
 
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
   transform_left_rows_read_words_2_memory : entity work.line_memory
@@ -1498,21 +1486,13 @@ begin
       read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
       write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
 
-  hold_back_held_0_memory_write_data <= to_unsigned(in_right_pixel, 8) & to_unsigned(in_left_pixel, 8);
+  hold_back_held_0_memory_write_data <= to_unsigned(in_right_pixel, 8) & to_unsigned(in_left_pixel, 8) & to_unsigned(as_number(in_start_of_frame), 1);
   hold_back_held_0_memory : entity work.line_memory
-    generic map (depth => 2616, width => 16)
+    generic map (depth => 2616, width => 17)
     port map (
       clock => clock, read_enable => true,
-      read_address => hold_back_datas_read_address, read_data => hold_back_held_0,
-      write_address => hold_back_datas_write_address, write_data => hold_back_held_0_memory_write_data);
-
-  hold_back_held_start_0_memory_write_data <= to_unsigned(as_number(in_start_of_frame), 1);
-  hold_back_held_start_0_memory : entity work.line_memory
-    generic map (depth => 2616, width => 1)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => hold_back_datas_read_address, read_data => hold_back_held_start_0,
-      write_address => hold_back_datas_write_address, write_data => hold_back_held_start_0_memory_write_data);
+      read_address => hold_back_ring_read_address, read_data => hold_back_held_0,
+      write_address => hold_back_ring_write_address, write_data => hold_back_held_0_memory_write_data);
 
   targets_rows_read_words_0_memory_write_data <= to_unsigned(targets_rows_write_words_0, 21);
   targets_rows_read_words_0_memory : entity work.line_memory
@@ -4263,11 +4243,11 @@ begin
           (to_unsigned(((targets_wish_walk_column + 1) mod 64), 6))));
       end if;
       -- hold
-      hold_back_holds_groups_any := hold_back_holds_groups or (hold_back_datas_read_address = 0);
+      hold_back_holds_groups_any := hold_back_holds_groups or (hold_back_ring_read_address = 0);
       if in_valid then
-        hold_back_datas_read_address <= 0 when hold_back_datas_read_address = 2615 else (hold_back_datas_read_address +
-          1) mod 4096;
-        hold_back_datas_write_address <= hold_back_datas_read_address;
+        hold_back_ring_read_address <= 0 when hold_back_ring_read_address = 2615 else (hold_back_ring_read_address + 1)
+          mod 4096;
+        hold_back_ring_write_address <= hold_back_ring_read_address;
         hold_back_holds_groups <= hold_back_holds_groups_any;
       end if;
       hold_back_held_is_new <= hold_back_holds_groups_any;
@@ -4292,11 +4272,11 @@ begin
         transform_up_to_last_0_is_equal;
       transform_up_to_last_1_choice := transform_up_to_last_0_all when (transform_centre_group mod 16) = 0 else
         transform_up_to_last_0_is_equal;
-      transform_left_0 <= to_integer(hold_back_held_0(7 downto 0));
-      transform_right_0 <= to_integer(hold_back_held_0(15 downto 8));
+      transform_left_0 <= to_integer(hold_back_held_0(8 downto 1));
+      transform_right_0 <= to_integer(hold_back_held_0(16 downto 9));
       transform_valid <= coarse_pixels_valid;
       transform_counter_group <= as_number(transform_counter_group_all) * 32 when coarse_pixels_valid and
-        hold_back_held_is_new and hold_back_held_start_0 else transform_counter_group_choice_2;
+        hold_back_held_is_new and (to_integer(hold_back_held_0(0 downto 0)) = 1) else transform_counter_group_choice_2;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
@@ -4617,10 +4597,11 @@ begin
         transform_counter_group_is_equal and transform_counter_group_is_equal_3 else transform_counter_next_frame;
       if coarse_pixels_valid then
         transform_counter_column <= 0 when transform_counter_group_is_equal or (hold_back_held_is_new and
-          hold_back_held_start_0) else (transform_counter_column + 1) mod 64;
+          (to_integer(hold_back_held_0(0 downto 0)) = 1)) else (transform_counter_column + 1) mod 64;
         transform_counter_next_frame <= transform_counter_group_all or (not hold_back_held_is_new) or (not
-          hold_back_held_start_0) when transform_counter_next_frame_choice else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and hold_back_held_is_new and hold_back_held_start_0;
+          (to_integer(hold_back_held_0(0 downto 0)) = 1)) when transform_counter_next_frame_choice else
+          transform_counter_group_is_equal and transform_counter_group_is_equal_2 and hold_back_held_is_new and
+          (to_integer(hold_back_held_0(0 downto 0)) = 1);
       end if;
       if (other_8 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
@@ -4725,10 +4706,10 @@ begin
       end if;
       -- ahead
       if transform_filtering_7_valid then
-        ahead_datas_read_address <= 0 when ahead_datas_read_address = 20 else (ahead_datas_read_address + 1) mod 32;
-        ahead_datas_write_address <= ahead_datas_read_address;
+        ahead_ring_read_address <= 0 when ahead_ring_read_address = 20 else (ahead_ring_read_address + 1) mod 32;
+        ahead_ring_write_address <= ahead_ring_read_address;
       end if;
-      ahead_holds_groups_is_equal := ahead_datas_read_address = 0;
+      ahead_holds_groups_is_equal := ahead_ring_read_address = 0;
       ahead_holds_groups <= ahead_holds_groups_is_equal or ahead_held_is_new;
       ahead_held_valid <= transform_filtering_7_valid;
       if ahead_holds_groups_is_equal then
@@ -4736,14 +4717,14 @@ begin
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 63;
-      raster_features_reference_0 <= to_integer(ahead_held_0);
+      raster_features_reference_0 <= to_integer(ahead_held_0(12 downto 1));
       raster_features_valid <= ahead_held_valid;
-      raster_place_group <= 0 when ahead_held_valid and ahead_holds_groups and ahead_held_start_0 else
-        (raster_place_group + as_number(((raster_place_group /= 34) and raster_place_group_is_equal and
+      raster_place_group <= 0 when ahead_held_valid and ahead_holds_groups and (to_integer(ahead_held_0(0 downto 0)) =
+        1) else (raster_place_group + as_number(((raster_place_group /= 34) and raster_place_group_is_equal and
         ahead_held_valid))) mod 64;
       if ahead_held_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or (ahead_holds_groups and ahead_held_start_0) else
-          (raster_place_column + 1) mod 64;
+        raster_place_column <= 0 when raster_place_group_is_equal or (ahead_holds_groups and (to_integer(ahead_held_0(0
+          downto 0)) = 1)) else (raster_place_column + 1) mod 64;
       end if;
       -- bases
       bases_address_0_is_equal := (raster_place_column / 16) = 0;
@@ -9166,8 +9147,8 @@ begin
         targets_low <= 0;
         targets_high <= 0;
         targets_place <= 0;
-        hold_back_datas_read_address <= 1;
-        hold_back_datas_write_address <= 0;
+        hold_back_ring_read_address <= 1;
+        hold_back_ring_write_address <= 0;
         hold_back_holds_groups <= false;
         hold_back_held_is_new <= false;
         transform_valid <= false;
@@ -9195,8 +9176,8 @@ begin
         transform_filtering_6_valid <= false;
         transform_filtering_7_start_of_frame <= false;
         transform_filtering_7_valid <= false;
-        ahead_datas_read_address <= 1;
-        ahead_datas_write_address <= 0;
+        ahead_ring_read_address <= 1;
+        ahead_ring_write_address <= 0;
         ahead_holds_groups <= false;
         ahead_held_is_new <= false;
         ahead_held_valid <= false;

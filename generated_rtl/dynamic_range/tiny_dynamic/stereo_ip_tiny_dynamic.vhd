@@ -64,7 +64,7 @@ begin
       latency_clocks => 41,
       flush_groups => 3024,
       gap_groups => 1536,
-      core_id => x"aeb62747",
+      core_id => x"4ba1b317",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
