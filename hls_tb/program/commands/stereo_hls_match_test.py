@@ -149,10 +149,11 @@ def test_every_configuration_on_its_scene(tmp_path, config):
     # Scenes have disparities from 0 on, and hardly a window in the narrowest maps.
     # A family without windows does not match at all.
     if found.get("min_disparity") == 0 and found["output_width_px"] >= 20 and found.get("window_px", 0) >= 3:
-        # In an image of some ten pixels, smoothing carries what is wrong far; a trellis sees nothing but one row.
-        assert (
-            score["bad_px"] < (0.7 if "drop_cost" in found else 0.4 if "p1" in found else 0.25) * score["compared_px"]
-        )
+        # In an image of some ten pixels, smoothing carries what is wrong far, the filters of a phase reach over a third
+        # of it, and a trellis sees nothing but one row.
+        reaches_far = "p1" in found or "phase_scales" in found
+        most_bad = 0.7 if "drop_cost" in found else 0.4 if reaches_far else 0.25
+        assert score["bad_px"] < most_bad * score["compared_px"]
 
 
 def test_overview_enlarges_small_images_only(tmp_path, match):
