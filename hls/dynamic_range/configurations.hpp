@@ -15,7 +15,7 @@ STEREO_ROW(tiny_dynamic, option, Config(), width_px = 64, height_px = 32, dispar
            window_px = 5);
 
 // The size of Masrani and MacLean, 640x480.
-STEREO_ROW(masrani_640, planned, Config(), width_px = 640, height_px = 480, disparities = 128, subpixel = true);
+STEREO_ROW(masrani_640, system, Config(), width_px = 640, height_px = 480, disparities = 128, subpixel = true);
 
 // One option after the other, at a size that a test can afford.
 STEREO_ROW(tiny_dynamic_subpixel, planned, tiny_dynamic, subpixel = true, window_px = 7);
