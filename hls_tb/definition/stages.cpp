@@ -131,6 +131,10 @@ GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, 
    return passes;
 }
 
+void keep_passing(DisparityMap& map, const GrayImage& passes) {
+   for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
+}
+
 DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners) {
    DisparityMap map = winners;
    map.subpixel = true;

@@ -73,6 +73,9 @@ DisparityMap other_winners(const CostVolume& sums, Ties ties = Ties::smallest);
 GrayImage left_right_check(const DisparityMap& winners, const DisparityMap& other_winners, int threshold);
 GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, int percent);
 
+/// Pixels that do not pass a check are not valid.
+void keep_passing(DisparityMap& map, const GrayImage& passes);
+
 /// 6. Sixteenths of a pixel, validity as in `winners`.
 DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& winners);
 

@@ -44,8 +44,7 @@ def test_the_program_runs_from_there(prefix, tmp_path):
     installed = {path.stem for path in (prefix / "lib" / "stereo_hls" / "cores").glob("*.so")}
     built = {path.stem for path in (Path(find_stereo_hls()).parent / "cores").glob("*.so")}
     assert installed == built
-    if "tiny" not in built:
-        pytest.skip("SKIP: the clocked core of tiny is not built")
+    assert "tiny" in built, "the target cores makes it"
     run([program, "trace", "--config", "tiny", "--clocks", 20, "--out", tmp_path])
     assert (tmp_path / "trace.txt").stat().st_size > 0
 

@@ -92,13 +92,9 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);
-
-   const auto keep = [&map](const GrayImage& passes) {
-      for (std::size_t i = 0; i < map.valid.size(); ++i) map.valid[i] = map.valid[i] && passes.pixels[i] ? 1 : 0;
-   };
    if (matching.has_left_right_check())
-      keep(left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
-   if (matching.has_uniqueness_check()) keep(uniqueness_check(sums, best, matching.uniqueness_percent));
+      keep_passing(map, left_right_check(best, other_winners(sums, matching.ties), matching.left_right_threshold));
+   if (matching.has_uniqueness_check()) keep_passing(map, uniqueness_check(sums, best, matching.uniqueness_percent));
    return map;
 }
 

@@ -40,7 +40,6 @@ void write_pair(const std::string& path, const SceneOptions& options) {
 
 /// A folder for each kind of image, as `video` takes them.
 void write_frames(const std::string& path, SceneOptions options, int frames) {
-   make_scene(options);  // wrong options are refused before a folder is made
    OutputFolder parent(path);
    std::vector<std::unique_ptr<OutputFolder>> folders;
    for (const auto& [name, image] : kImages) folders.push_back(std::make_unique<OutputFolder>(path + "/" + name));

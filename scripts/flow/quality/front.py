@@ -3,12 +3,11 @@
 
 import io
 from collections.abc import Callable
-from typing import Any
 
 from rich.table import Table
 
 from ..base.markdown import number
-from ..rendering import pictures
+from ..rendering import plots
 from . import explore, hardware_cost
 from .explore import Row
 
@@ -16,17 +15,10 @@ _COLORS = {"sad": "#1f5fa8", "ssd": "#c05a00", "census": "#2b7a3d"}
 _OTHER_COLOR = "#8a2be2"  # of other families
 ABSENT_SHOWN = 5
 
-Axis = Any  # of matplotlib, which has no types
-
 
 def draw(table: list[Row], key: str, title: str, luts_title: Callable[[int], str]) -> bytes:
     """PNG: one panel for each range."""
-    pictures.libraries()
-    import matplotlib
-
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
-
+    pyplot = plots.pyplot()
     ranges = sorted({row["disparities"] for row in table})
     figure, axes = pyplot.subplots(
         len(ranges), 1, figsize=(9, 5.6 * len(ranges)), dpi=120, squeeze=False, layout="constrained"
@@ -44,7 +36,7 @@ def draw(table: list[Row], key: str, title: str, luts_title: Callable[[int], str
     return data.getvalue()
 
 
-def _points(axis: Axis, table: list[Row], key: str, disparities: int) -> None:
+def _points(axis: plots.Axis, table: list[Row], key: str, disparities: int) -> None:
     """The choices of one range, the front as a line, and at the right border those whose cost is absent."""
     rows = [row for row in table if row["disparities"] == disparities and row[key] is not None]
     _scatter(axis, rows, key)
@@ -68,7 +60,7 @@ def _points(axis: Axis, table: list[Row], key: str, disparities: int) -> None:
         )
 
 
-def _scatter(axis: Axis, rows: list[Row], key: str) -> None:
+def _scatter(axis: plots.Axis, rows: list[Row], key: str) -> None:
     """Measured points are filled, estimated ones hollow, one colour for each cost."""
     for cost in dict.fromkeys([*_COLORS, *(row["cost"] for row in rows)]):
         color = _COLORS.get(cost, _OTHER_COLOR)
@@ -87,7 +79,7 @@ def _scatter(axis: Axis, rows: list[Row], key: str) -> None:
                 )
 
 
-def _annotate(axis: Axis, members: list[Row], key: str) -> None:
+def _annotate(axis: plots.Axis, members: list[Row], key: str) -> None:
     """Names of the points of the front, stepping upwards to the right so that they do not cover each other."""
     for place, row in enumerate(members):
         axis.annotate(
@@ -101,7 +93,7 @@ def _annotate(axis: Axis, members: list[Row], key: str) -> None:
         )
 
 
-def _frame(axis: Axis) -> None:
+def _frame(axis: plots.Axis) -> None:
     from matplotlib import ticker
 
     axis.set_yscale("log")

@@ -2,15 +2,13 @@
 """How fast a search window that follows the scene finds what is new: bad pixels of each frame of a moving scene, beside
 a search of the whole range. The 2007 paper rejects such systems for the frames that they need."""
 
-import io
-import re
 import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..base.errors import EXIT_MISSING_TOOL, FlowError
 from ..base.markdown import number, replaced, table
 from ..base.tools import ROOT, Word, find_stereo_hls, run
+from ..rendering.plots import Axis, svg
 from .evaluation import evaluate
 
 PAGE = ROOT / "docs" / "dynamic_range.md"
@@ -61,29 +59,17 @@ def text(runs: Runs) -> str:
 
 
 def picture(runs: Runs) -> str:
-    """The SVG: the same runs give the same file."""
-    try:
-        import matplotlib
-    except ImportError:
-        raise FlowError(
-            "the Python package matplotlib is missing; on Debian: apt-get install python3-matplotlib",
-            EXIT_MISSING_TOOL,
-        ) from None
-    matplotlib.use("Agg")
-    from matplotlib import pyplot
+    """The SVG."""
+    return svg("recovery", (7, 3), lambda axis: _draw(axis, runs), layout="constrained")
 
-    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "recovery", "font.size": 8}):
-        figure, axes = pyplot.subplots(figsize=(7, 3), layout="constrained")
-        for name, by_seed in runs.items():
-            axes.plot(range(FRAMES), means(by_seed), marker="o", markersize=3, label=name)
-        for frame in NEW_OBJECTS:
-            axes.axvline(frame, color="0.7", linestyle="--", zorder=0)
-        axes.set(xlabel="frame (dashed: a new object)", ylabel="bad pixels, %", ylim=(0, None), xticks=range(FRAMES))
-        axes.legend()
-        out = io.StringIO()
-        figure.savefig(out, format="svg", metadata={"Date": None, "Creator": None})
-        pyplot.close(figure)
-    return re.sub(r"[ \t]+$", "", out.getvalue(), flags=re.MULTILINE)
+
+def _draw(axis: Axis, runs: Runs) -> None:
+    for name, by_seed in runs.items():
+        axis.plot(range(FRAMES), means(by_seed), marker="o", markersize=3, label=name)
+    for frame in NEW_OBJECTS:
+        axis.axvline(frame, color="0.7", linestyle="--", zorder=0)
+    axis.set(xlabel="frame (dashed: a new object)", ylabel="bad pixels, %", ylim=(0, None), xticks=range(FRAMES))
+    axis.legend()
 
 
 def pages() -> dict[Path, str]:
