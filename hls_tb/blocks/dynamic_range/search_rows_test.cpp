@@ -110,10 +110,11 @@ void expect_codes(int bubbles_percent) {
                ++checked;
             }
       const int stands_x = standing.front().column - (kLanes - 1), centre = standing.front().group - kAfter;
-      if (standing.front().valid && stands_x >= 0 && centre >= 0 && centre < C.height_px)
+      if (standing.front().valid && stands_x >= 0 && centre >= 0 && centre < C.height_px) {
          for (int track = 0; track < dynamic_range::kTracks; ++track)
             ASSERT_EQ(bases.base[track][dynamic_range::kCentre], base(track, stands_x, centre))
                 << stands_x << ',' << centre;
+      }
    }
    EXPECT_GT(checked, C.width_px * kLanes);
 }
