@@ -6,7 +6,7 @@ import os
 
 import pytest
 
-from flow.base import builds
+from flow.base import builds, ghdl
 from flow.base.errors import FlowError
 
 
@@ -114,3 +114,12 @@ def test_one_run_at_a_time_writes_into_a_folder(tmp_path):
     for worker in workers:
         worker.join()
     assert (tmp_path / "count").read_text() == "80"
+
+
+@pytest.mark.parametrize("generator", ["mcode", "llvm 14.0.6"])
+def test_what_one_code_generator_of_ghdl_built_is_not_taken_for_another(tmp_path, monkeypatch, generator):
+    program = tmp_path / "ghdl"
+    program.write_text(f"#!/bin/sh\necho 'GHDL 2.0.0'\necho ' Compiled with X'\necho ' {generator} code generator'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("GHDL", str(program))
+    assert ghdl.full_version() == f"GHDL 2.0.0, {generator} code generator"

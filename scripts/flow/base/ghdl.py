@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from .errors import EXIT_TOOL_FAILED, FlowError
-from .tools import find_ghdl, run
+from .tools import find_ghdl, run, tool_version
 
 STANDARD = "--std=08"
 Generics = Mapping[str, int | str]  # of a top
@@ -17,6 +17,13 @@ def version() -> str:
     if not match:
         raise FlowError("ghdl --version does not say its version as GHDL does", EXIT_TOOL_FAILED)
     return match.group()
+
+
+def full_version() -> str:
+    """With the code generator: what one has made cannot run on another."""
+    program = find_ghdl()
+    generator = re.search(r"^ *(\S.* code generator)$", run([program, "--version"]), re.MULTILINE)
+    return tool_version(program) + (f", {generator[1]}" if generator else "")
 
 
 def analyse(files: Iterable[Path], work: Path, log: str = "analyse.log") -> None:

@@ -98,7 +98,7 @@ class Ghdl(Simulator):
 
     @staticmethod
     def tools() -> dict[str, str]:
-        return {"ghdl": tool_version(find_ghdl())}
+        return {"ghdl": ghdl.full_version()}
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         self._elaborate(work, [*vhdl_files, *self._named(work, self._bench_files())])
@@ -208,7 +208,7 @@ class Verilator(Simulator):
 
     @staticmethod
     def tools() -> dict[str, str]:
-        return {"ghdl": tool_version(find_ghdl()), "verilator": tool_version(find_verilator())}
+        return {"ghdl": ghdl.full_version(), "verilator": tool_version(find_verilator())}
 
     def _build(self, work: Path, vhdl_files: list[Path]) -> None:
         options = ["--trace-fst"] if self.trace else []
