@@ -48,7 +48,7 @@ def test_no_findings(ghdl, verilator, yosys):
 @pytest.mark.parametrize("fault", FAULTS)
 def test_fault_is_found(ghdl, verilator, yosys, tmp_path, fault):
     file, old, new, word = FAULTS[fault]
-    for path in design.shell_files():
+    for path in [*design.shell_files(), *design.joiner_files()]:
         shutil.copy(path, tmp_path)
     text = (tmp_path / f"{file}.vhd").read_text()
     assert old in text

@@ -24,6 +24,7 @@ SHELL = (
     "stereo_registers",
     "stereo_shell",
 )
+JOINER = ("camera_queue", "stereo_joiner")  # of two cameras' streams, in front of any shell
 
 
 def vhdl_files(config: str) -> list[Path]:
@@ -34,6 +35,11 @@ def vhdl_files(config: str) -> list[Path]:
 def shell_files(folder: Path | None = None) -> list[Path]:
     """`folder`: another one than the project's."""
     return [(folder or RTL) / f"{name}.vhd" for name in SHELL]
+
+
+def joiner_files(folder: Path | None = None) -> list[Path]:
+    """Of stereo_joiner alone, without what it shares with the shell."""
+    return [(folder or RTL) / f"{name}.vhd" for name in JOINER]
 
 
 def digests() -> manifest.Digests:

@@ -55,11 +55,11 @@ def analysis(files: Iterable[Path], work: Path) -> list[str]:
     return [line for line in log.read_text().splitlines() if re.search(r":\d+:\d+:", line)]
 
 
-def netlist(files: Iterable[Path], top: str, work: Path) -> list[str]:
+def netlist(files: Iterable[Path], top: str, work: Path, generics: ghdl.Generics | None = None) -> list[str]:
     """What shows in the synthesised design only: names that Verilog reserves and two drivers of one signal (Verilator),
     latches and loops (yosys)."""
     verilog, log = work / f"{top}.v", work / "verilator.log"
-    text = ghdl.to_verilog(files, work, top)
+    text = ghdl.to_verilog(files, work, top, generics)
     verilog.write_text(text)
     # What GHDL writes for a signal that keeps its value outside a clocked process, or has none.
     found = [
@@ -83,19 +83,21 @@ def netlist(files: Iterable[Path], top: str, work: Path) -> list[str]:
 
 
 def check(config: str, work: Path, shell: Path | None = None, say: Say = print) -> int:
-    """All checks of the shell around one configuration's core and of the example, in a folder of their own. Returns the
-    number of findings. `shell`: a folder with another shell."""
+    """All checks of the shell around one configuration's core, of the joiner and of the example, in a folder of their
+    own. Returns the number of findings. `shell`: a folder with another shell and joiner."""
     shutil.rmtree(work, ignore_errors=True)
     work.mkdir(parents=True)
-    memory, written = rtl.MEMORY_CELL, [*design.shell_files(shell), template.path(config)]
+    memory, shared, joiner = rtl.MEMORY_CELL, design.shell_files(shell), design.joiner_files(shell)
+    written = [*shared, template.path(config)]
     core = [path for path in manifest.core_files(config) if path != memory]
     examples = [example.FOLDER / f"{name}.vhd" for name in (*example.SOURCES, "tb_example_top")]
-    found = [sentence for path in (memory, *written, *examples) for sentence in layout(path)]
+    found = [sentence for path in (memory, *written, *joiner, *examples) for sentence in layout(path)]
     found += analysis([memory], work)
     ghdl.analyse(core, work, "core.log")
-    found += analysis([*written, *examples], work)
+    found += analysis([*written, *joiner, *examples], work)
     if not found:
         found += netlist([memory, *core, *written], rtl.ip_entity(config), work)
+        found += netlist([memory, *shared, *joiner], "stereo_joiner", work, {"depth": 1024})
     for sentence in found:
         say(sentence)
     return len(found)

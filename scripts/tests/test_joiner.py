@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: Apache-2.0
+"""stereo_joiner in GHDL: two cameras of any distance that lose pixels, lines and frames. Every frame that both send
+whole comes out whole and exact, and pixels of different frames never meet."""
+
+import random
+from dataclasses import dataclass, field
+
+import pytest
+
+from conftest import need
+from flow.base import ghdl, rtl
+from flow.base.tools import ROOT, find_ghdl, run
+
+FILES = ["line_memory", "stream_fifo", "stream_register", "camera_queue", "stereo_joiner"]
+BENCH = ROOT / "hls_tb" / "shell" / "tb_stereo_joiner.vhd"
+WIDTH, HEIGHT, FRAMES, DEPTH = 12, 9, 40, 64  # a frame is more than DEPTH pixels and the distance of the cameras
+DAMAGES = ("frame", "line", "pixel", "start", "end of line", "last lines", "all but the first lines")
+START, END = 1, 2
+
+
+def code(frame, row, column):
+    """The value of a pixel says where it belongs."""
+    return frame << 12 | row << 6 | column
+
+
+@dataclass
+class Frame:
+    """What a camera sends of a frame: (row, column, START | END) of each pixel, None for the rest between lines."""
+
+    number: int
+    damage: str | None
+    pixels: list = field(default_factory=list)
+
+
+def camera_frame(number, damage, keeps_start, line_blank, frame_blank, rng):
+    frame = Frame(number, damage)
+    lost_row, lost_column = rng.randrange(1 if keeps_start else 0, HEIGHT), rng.randrange(WIDTH)
+    for row in range(HEIGHT):
+        for column in range(WIDTH):
+            flags = (START if row == column == 0 else 0) | (END if column == WIDTH - 1 else 0)
+            lost = {
+                "frame": True,
+                "line": row == lost_row,
+                "pixel": (row, column) == (lost_row, lost_column),
+                "last lines": row > lost_row,
+                "all but the first lines": row > 1,
+            }.get(damage, False)
+            if damage == "start":
+                flags &= ~START
+            if damage == "end of line" and row == lost_row:
+                flags &= ~END
+            frame.pixels.append(None if lost else (row, column, flags))
+        frame.pixels += [None] * line_blank
+    frame.pixels += [None] * frame_blank
+    return frame
+
+
+def streams(rng, distance, damage_percent, line_blank=6, frame_blank=30):
+    """Of both cameras: the frames, and a record a clock. No frame is damaged on both sides, and none without its start
+    follows a damaged one: nobody could tell its pixels from those that the one before it lacks."""
+    cameras = ([], [])
+    for number in range(FRAMES):
+        damages = [None, None]
+        if rng.random() * 100 < damage_percent and 0 < number < FRAMES - 1:
+            damages[rng.randrange(2)] = rng.choice(DAMAGES)
+        for frames, damage in zip(cameras, damages):
+            keeps_start = bool(frames) and frames[-1].damage is not None
+            if keeps_start and damage == "start":
+                damage = "frame"
+            frames.append(camera_frame(number, damage, keeps_start, line_blank, frame_blank, rng))
+    records = []
+    for frames, late in zip(cameras, (max(0, -distance), max(0, distance))):
+        record = [None] * late
+        for frame in frames:
+            record += [pixel and (frame.number, *pixel) for pixel in frame.pixels]
+        records.append(record)
+    return cameras, records
+
+
+@dataclass
+class Seen:
+    pairs: list = field(default_factory=list)  # (left, right, START | END, skew in lines)
+    faults: list = field(default_factory=list)  # bits
+
+
+def word_of(record, rng):
+    """(flags, pixel); garbage while nothing is valid."""
+    if record is None:
+        return rng.randrange(4) << 1, rng.getrandbits(24)
+    frame, row, column, flags = record
+    return 1 | flags << 1, code(frame, row, column)
+
+
+class Joiner:
+    def __init__(self, work, change=None):
+        """`change`: (file, old text, new text)."""
+        self.work = work
+        files = []
+        for name in FILES:
+            text = (rtl.HAND_WRITTEN / f"{name}.vhd").read_text()
+            if change and change[0] == name:
+                assert change[1] in text
+                text = text.replace(change[1], change[2], 1)
+            files.append(work / f"{name}.vhd")
+            files[-1].write_text(text)
+        ghdl.analyse([*files, BENCH], work)
+        run([find_ghdl(), "-e", ghdl.STANDARD, "tb_stereo_joiner"], cwd=work)
+
+    def play(self, records, rng, sink_percent=100, depth=DEPTH, reset_at=None):
+        left, right = records
+        clocks = max(len(left), len(right)) + 200
+        lines = ["80 000000 000000"]
+        for clock in range(clocks):
+            left_flags, left_word = word_of(left[clock] if clock < len(left) else None, rng)
+            right_flags, right_word = word_of(right[clock] if clock < len(right) else None, rng)
+            ready = clock >= clocks - 100 or rng.random() * 100 < sink_percent
+            flags = left_flags | right_flags << 3 | ready << 6 | (clock == reset_at) << 7
+            lines.append(f"{flags:02x} {left_word:06x} {right_word:06x}")
+        (self.work / "stimulus.txt").write_text("\n".join(lines) + "\n")
+        names = {"stimulus_file": "stimulus.txt", "observed_file": "observed.txt", "depth": depth}
+        run([find_ghdl(), "-r", ghdl.STANDARD, "tb_stereo_joiner", *ghdl.options_of(names)], cwd=self.work)
+        seen = Seen()
+        *observed, end = (self.work / "observed.txt").read_text().splitlines()
+        assert end == f"{clocks + 1} end"
+        for _, kind, *values in map(str.split, observed):
+            if kind == "fault":
+                seen.faults.append(values[0])
+            else:
+                word = int(values[0], 16)
+                seen.pairs.append((word & 0xFFFFFF, word >> 24, int(values[1]), int(values[2])))
+        return seen
+
+
+def whole_frames(cameras):
+    return [a.number for a, b in zip(*cameras) if a.damage is None and b.damage is None]
+
+
+def judge(seen, cameras):
+    """What is wrong with the pairs that came out."""
+    frames = {}
+    for left, right, flags, _ in seen.pairs:
+        if left >> 12 != right >> 12:
+            return f"frame {left >> 12} of the left camera meets frame {right >> 12} of the right one"
+        frames.setdefault(left >> 12, []).append((left, right, flags))
+    expected = [
+        (code(0, y, x), code(0, y, x), (x == y == 0) * START | (x == WIDTH - 1) * END)
+        for y in range(HEIGHT)
+        for x in range(WIDTH)
+    ]
+    for number in whole_frames(cameras):
+        shown = [(a & 0xFFF, b & 0xFFF, flags) for a, b, flags in frames.get(number, [])]
+        if shown != expected:
+            return f"frame {number} is whole on both sides but comes out with {len(shown)} pairs, not as it is"
+    for number, pairs in frames.items():
+        if [flags & START for _, _, flags in pairs].index(START) != 0:
+            return f"frame {number} comes out without its start"
+        shifted = {a >> 6 & 0x3F for a, b, _ in pairs if (a ^ b) & 0x3F}
+        if len(shifted) > 1:
+            return f"frame {number} goes on behind a line in which the cameras differ"
+    return None
+
+
+@pytest.fixture(scope="module")
+def joiner(tmp_path_factory):
+    need("ghdl", "GHDL")
+    return Joiner(tmp_path_factory.mktemp("joiner"))
+
+
+LINE = WIDTH + 6  # clocks
+
+
+@pytest.mark.parametrize("distance", [0, 1, -1, LINE, -2 * LINE - 5, 3 * LINE + 7, -3 * LINE])
+def test_whole_frames_of_any_distance(joiner, distance):
+    rng = random.Random(distance)
+    cameras, records = streams(rng, distance, 0)
+    seen = joiner.play(records, rng)
+    assert judge(seen, cameras) is None
+    assert len(seen.pairs) == FRAMES * WIDTH * HEIGHT and not seen.faults
+    # The later camera's start leaves a few clocks after it came, which may see one more end of line.
+    lines = {skew for _, _, flags, skew in seen.pairs[1:]}
+    assert len(lines) == 1 and abs(lines.pop() - distance / LINE) < 1.5
+
+
+@pytest.mark.parametrize("number", range(12))
+def test_damaged_frames(joiner, number, record_property):
+    seed = random.SystemRandom().randrange(1 << 32) if number < 4 else number  # a few new ones in every run
+    print(f"seed {seed}")
+    rng = random.Random(seed)
+    distance = rng.randrange(-3 * LINE, 3 * LINE)
+    cameras, records = streams(rng, distance, 40)
+    seen = joiner.play(records, rng, sink_percent=rng.choice([100, 95, 85]))
+    assert judge(seen, cameras) is None, f"seed {seed}"
+    assert len(whole_frames(cameras)) >= FRAMES // 3
+    assert seen.faults
+
+
+def test_a_sink_that_waits_too_long_costs_frames_not_order(joiner):
+    rng = random.Random(5)
+    cameras, records = streams(rng, LINE, 0)
+    seen = joiner.play(records, rng, sink_percent=30)
+    assert any(int(bits, 2) & 3 for bits in seen.faults)
+    for left, right, _, _ in seen.pairs:
+        assert left == right
+
+
+def test_cameras_too_far_apart_are_reported(joiner):
+    rng = random.Random(6)
+    cameras, records = streams(rng, 4 * LINE, 0)
+    seen = joiner.play(records, rng, depth=3 * WIDTH)
+    assert not seen.pairs
+    assert sum(int(bits, 2) & 1 for bits in seen.faults) >= FRAMES - 1
+
+
+def test_a_reset_begins_anew(joiner):
+    rng = random.Random(7)
+    cameras, records = streams(rng, 10, 0)
+    at = 3 * len(cameras[0][0].pixels) + 50
+    seen = joiner.play(records, rng, reset_at=at)
+    cameras[0][3].damage = "reset"
+    assert judge(seen, cameras) is None
+
+
+FAULTS = {
+    "frames are joined without their start": (
+        "stereo_joiner",
+        "alike <= starts when left_start = '1' or right_start = '1' else joined;",
+        "alike <= '1';",
+    ),
+    "lines are joined by their pixels only": ("stereo_joiner", "(left_end xnor right_end)", "'1'"),
+    "a lost frame is not noticed": ("camera_queue", "if takes and stored >= depth - 1 then", "if false then"),
+    "a start of frame is dropped with the frame before": (
+        "camera_queue",
+        "elsif behind < depth - 1 then",
+        "elsif false then",
+    ),
+    "a start of frame that finds no room is dropped": (
+        "camera_queue",
+        "stored <= 0;\n        elsif",
+        "accepts <= '0';\n        elsif",
+    ),
+    "what is kept is a word less": ("camera_queue", "stored <= behind;", "stored <= behind - 1;"),
+    "what waits is forgotten by half": ("camera_queue", "reset => empties", "reset => reset"),
+    "a word is read before it is written": ("camera_queue", "if writes = '1' and not reads", "if takes and not reads"),
+    "too many words are read ahead": ("camera_queue", "in_flight < ahead", "true"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_fault_is_found(ghdl, tmp_path, fault):
+    broken = Joiner(tmp_path, FAULTS[fault])
+    for seed in range(40):
+        rng = random.Random(seed)
+        cameras, records = streams(rng, rng.randrange(-3 * LINE, 3 * LINE), 40)
+        try:
+            if judge(broken.play(records, rng, sink_percent=rng.choice([100, 95, 85])), cameras) is not None:
+                return
+        except Exception:  # the simulation stopped
+            return
+    pytest.fail("not found")
