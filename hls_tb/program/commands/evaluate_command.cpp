@@ -99,6 +99,7 @@ void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<D
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const auto algorithm = named_algorithm(name, arguments.settings);
    EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options())};
+   method.engine = word_of(arguments.engine);
    method.postprocessing = postprocessing_json(arguments.postprocessing);
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
    const auto match_once = [&](const ImagePair& pair) {
@@ -112,19 +113,9 @@ EvaluatedMethod evaluate_core(const std::string& name, const Arguments& argument
    return method;
 }
 
-/// As --opencv-disparities says, else what OpenCV takes of --set disparities: the next multiple of 16. 0: as stored.
-int opencv_disparities(const Arguments& arguments) {
-   if (arguments.opencv_disparities != 0) return arguments.opencv_disparities;
-   int disparities = 0;
-   for_each_setting(arguments.settings, [&](const std::string& name, const std::string& value) {
-      if (name == "disparities") disparities = (std::min(std::stoi(value), 1 << 20) + 15) / 16 * 16;
-   });
-   return disparities;
-}
-
 EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& arguments, const GroundTruth& truth) {
    OpenCvMatcher matcher = OpenCvMatcher::stored(opencv_kinds().at(word));
-   if (const int disparities = opencv_disparities(arguments); disparities != 0) matcher.disparities = disparities;
+   if (arguments.opencv_disparities != 0) matcher.disparities = arguments.opencv_disparities;
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
    EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher)};
@@ -143,6 +134,20 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
    return method;
 }
 
+/// Where --opencv-disparities says nothing, --set disparities does, as the next multiple of 16.
+void follow_set_disparities(Arguments& arguments) {
+   if (arguments.opencv.empty() || arguments.opencv_disparities != 0) return;
+   std::string set;
+   for_each_setting(arguments.settings, [&](const std::string& name, const std::string& value) {
+      if (name == "disparities") set = value;
+   });
+   if (set.empty()) return;
+   constexpr int kSteps = 16, kMost = 1 << 20;  // far more than OpenCV takes, which is checked later
+   arguments.opencv_disparities = (std::clamp(std::stoi(set), 1, kMost) + kSteps - 1) / kSteps * kSteps;
+   std::cout << "OpenCV's matchers look for " << arguments.opencv_disparities
+             << " disparities, as --set disparities=" << set << " says\n";
+}
+
 void write_json(const std::string& path, const nlohmann::json& json) {
    const std::filesystem::path file(path);
    OutputFolder out(file.parent_path().empty() ? "." : file.parent_path().string(), "--json");
@@ -150,7 +155,7 @@ void write_json(const std::string& path, const nlohmann::json& json) {
    out.commit();
 }
 
-void evaluate(const Arguments& arguments) {
+void evaluate(Arguments arguments) {
    if (arguments.disparities.size() != arguments.references.size())
       throw InputError("--disparity: each of the " + std::to_string(arguments.disparities.size()) +
                        " files needs its own --reference left or right, in the same order");
@@ -162,7 +167,8 @@ void evaluate(const Arguments& arguments) {
       throw InputError(
           "--engine clocked, --speckle-window and --least-confidence are for configurations; name one with --config");
    require_settable(arguments.engine, arguments.settings);
-   for (const std::string& name : arguments.configs) named_algorithm(name, arguments.settings);
+   for (const std::string& name : arguments.configs) named_algorithm(name, arguments.settings);  // throws
+   follow_set_disparities(arguments);
    const GroundTruth truth = load(arguments);
    Evaluation evaluation{arguments.left,
                          arguments.right,
@@ -198,7 +204,7 @@ void add_methods(CLI::App& command, Arguments& arguments) {
        ->check(CLI::IsMember(&opencv_kinds()));
    command
        .add_option("--opencv-disparities", arguments.opencv_disparities,
-                   "theirs; default what --set disparities says, as the next multiple of 16, else 48")
+                   "theirs; default what --set disparities says, up to the next multiple of 16, else 48")
        ->check(CLI::PositiveNumber);
    command.add_option("--opencv-block", arguments.opencv_block, "theirs; default 15 for bm, 3 for sgbm")
        ->check(CLI::PositiveNumber);

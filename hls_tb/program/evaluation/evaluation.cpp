@@ -122,7 +122,8 @@ nlohmann::json evaluation_json(const Evaluation& evaluation) {
                          {"milliseconds", known(method.milliseconds)},
                          {"masks", measures_json(method.masks)},
                          {"remarks", method.remarks}});
-      if (!method.postprocessing.is_null()) methods.back()["postprocessing"] = method.postprocessing;
+      if (!method.engine.empty())
+         methods.back().update({{"engine", method.engine}, {"postprocessing", method.postprocessing}});
    }
    return {{"format", "stereo-hls evaluation 1"}, {"left", evaluation.left},
            {"right", evaluation.right},           {"width_px", evaluation.width_px},

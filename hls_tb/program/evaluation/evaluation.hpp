@@ -38,7 +38,8 @@ struct EvaluatedMethod {
    double milliseconds = 0;                ///< of the matching alone; NaN for a file
    std::vector<NamedMeasures> masks = {};  ///< without those that have no pixels
    std::vector<std::string> remarks = {};  ///< on truth that does not fit, as sentences
-   nlohmann::json postprocessing = {};     ///< of a core
+   std::string engine = {};                ///< of a core, as the next one
+   nlohmann::json postprocessing = {};
 };
 
 struct Evaluation {

@@ -39,6 +39,7 @@ def panels(table: list[Row], key: str, title: str, luts_title: Callable[[int], s
         axis.set_ylabel(title)
         axis.set_title(f"{disparities} disparities", loc="left", fontsize=11)
         axis.legend(fontsize=8, frameon=True)
+    figure.draw_without_rendering()  # makes the layout, in which the names find their places
     for axis, disparities in zip(axes[:, 0], ranges):
         _name_front(axis, table, key, disparities)
     return figure

@@ -11,7 +11,7 @@ from ..base.errors import FlowError
 SIDES = ("left", "right")
 ONE_SIDED_MASK = "all"  # the other regions need the truth of both images
 # Of families that have no option for it.
-_FIXED_REFERENCE = {"trellis": "left", "dynamic_range": "right", "absolute_difference": "right"}
+_FIXED_REFERENCE = {"trellis": "left", "dynamic_range": "right", "absolute_difference": "left"}
 
 
 class WithTruth(Protocol):

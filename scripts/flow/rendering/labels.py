@@ -16,11 +16,10 @@ _ALIGNED = {1: "left", 0: "center", -1: "right"}
 
 
 def place(axis: plots.Axis, names: Sequence[tuple[str, Place]], points: Sequence[Place]) -> None:
-    """names: with where their points are in the plot. points: all that is to be kept clear, in pixels. Call it last:
-    what changes the layout moves the points."""
+    """names: with where their points are in the plot. points: all that is to be kept clear, in pixels. The layout must
+    be done: what changes it moves the points."""
     from matplotlib.transforms import Bbox
 
-    axis.figure.draw_without_rendering()
     panel = axis.get_window_extent()
     taken = [Bbox.from_extents(x - _CLEAR_PX, y - _CLEAR_PX, x + _CLEAR_PX, y + _CLEAR_PX) for x, y in points]
     if axis.get_legend():
