@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from rich.console import Console
 
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import ROOT
 from flow.quality import evaluation, explore, front, given_truth, hardware_cost
 from flow.quality.kept import Kept
@@ -88,7 +89,7 @@ def parse() -> Namespace:
     )
     parser.add_argument(
         "--out",
-        type=Path,
+        type=a_path,
         default=ROOT / "build" / "explore",
         metavar="DIR",
         help="folder for explore.json, explore.csv and front.png, and for evaluations.jsonl, which keeps what is done",

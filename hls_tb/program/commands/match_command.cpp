@@ -157,9 +157,11 @@ void match(const Arguments& arguments) {
    out.add("disparity.png", encode_png(map));
    out.add("disparity_color.png", encode_color_png(map, geometry.disparities));
    const std::vector<std::string> inputs{arguments.left, arguments.right, arguments.truth, arguments.visible};
-   if (geometry.has_check || arguments.postprocessing.rejects()) out.add("valid.png", encode_valid_png(map));
+   if (geometry.has_check || arguments.postprocessing.rejects())
+      out.add("valid.png", encode_valid_png(map), OutputFolder::Runs::some);
    else out.leave_out("valid.png", inputs);
-   if (arguments.postprocessing.wants_confidence) out.add("confidence.png", encode_png(*confidence));
+   if (arguments.postprocessing.wants_confidence)
+      out.add("confidence.png", encode_png(*confidence), OutputFolder::Runs::some);
    else out.leave_out("confidence.png", inputs);
    out.add("overview.png", encode_overview_png(pair, map, geometry));
    out.add_json("match.json", facts.json);

@@ -236,7 +236,7 @@ def test_set_changes_options_of_the_fast_model(tmp_path, match):
     assert (tmp_path / "out" / "valid.png").exists()
     match = changed(match, "--out", tmp_path / "other")
     fail(tmp_path, *match, "--set", "window=5", says=["--set window=5", "window_px"])
-    fail(tmp_path, *match, "--set", "window_px=40", says=["--config tiny", "window"])
+    fail(tmp_path, *match, "--set", "disparities=40", says=["l.pgm", "40 disparities"])
     fail(tmp_path, *match, "--engine", "clocked", "--set", "window_px=5", says=["--set window_px=5", "built in"])
 
 

@@ -178,13 +178,15 @@ def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int, ke
         try:
             for future in as_completed(futures):
                 place = futures[future]
-                results[place] = future.result()[0]
-                kept.add(calls[place], results[place])
+                method = future.result()[0]
+                kept.add(calls[place], method)
+                results[place] = method
                 bar.advance(task)
         except BaseException:
             pool.shutdown(cancel_futures=True)
             bar.stop()
-            print(f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there")
+            if results:
+                print(f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there")
             raise
     return [[results[i, j] for j in range(len(pairs))] for i in range(len(all_choices))]
 

@@ -52,4 +52,6 @@ class Kept:
             with self.path.open("a") as file:
                 file.write(line)
         except OSError as error:
+            if self.path.is_file() and self.path.stat().st_size == 0:
+                self.path.unlink()  # on a full disk
             raise FlowError(f"cannot write {self.path}: {error.strerror}") from None
