@@ -291,10 +291,10 @@ def crowded(number, rng):
     def row(title, luts, bad):
         return {"title": title, "cost": "sad", "luts": luts, "luts_are": MEASURED, "disparities": 16, "bad": bad}
 
-    front_rows = [row(f"sad 9x9 xsobel {i}", 5000 + 60 * i, 20 * 0.97**i) for i in range(number)]
+    front_rows = [row(f"sad 9x9 xsobel {i}", 5000 + 60 * i, 20 * 0.99**i) for i in range(number)]
     others = [row("other", 5000 + rng.randrange(900), 21 + 5 * rng.random()) for _ in range(20)]
     absent = {**row("absent", None, 19), "luts_are": ABSENT}
-    far = row("far", 9000, 0.9 * 20 * 0.97 ** (number - 1))
+    far = row("far", 9000, 0.9 * 20 * 0.99 ** (number - 1))
     table = [*front_rows, *others, absent, far]
     explore.mark_front(table, "bad")
     assert sum(row["front"] for row in table) == number + 1
