@@ -107,6 +107,9 @@ stereo_add_unit_tests(
   program/rectification/map_table_test.cpp
   scene/scene_test.cpp
   testing/map_compare_test.cpp)
+# OpenCV's confidence map is in a module of its own.
+stereo_add_unit_tests(LINK stereo_testing stereo_configurations stereo_evaluation ${OpenCV_LIBS} opencv_ximgproc
+                      FILES program/postprocessing/postprocessing_test.cpp)
 
 # What config.hpp refuses, config_test.cpp has; here that the compiler refuses it too, and shows the sentence.
 function(add_rejected_config name wrong message)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.options import a_path
 from flow.base.tools import ROOT
 from flow.shell import example
 
@@ -16,7 +17,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=1, help="of place and route (default 1)")
     parser.add_argument(
         "--out",
-        type=Path,
+        type=a_path,
         default=ROOT / "build" / "example",
         help="folder of everything that is made (default build/example)",
     )

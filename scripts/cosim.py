@@ -9,6 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import ROOT
 from flow.cosim import job, record, regression
 from flow.cosim.simulators import SIMULATORS
@@ -34,10 +35,10 @@ def main() -> int:
         action="store_true",
         help="only configurations that have not passed into --out before with the same VHDL, model, tools and options",
     )
-    parser.add_argument("--left", type=path, help="left image of the rectified pair (default: a generated scene)")
-    parser.add_argument("--right", type=path, help="right image")
-    parser.add_argument("--stimulus", type=path, help="a stimulus.txt of one's own instead of images")
-    parser.add_argument("--expected", type=path, help="its expected.txt")
+    parser.add_argument("--left", type=a_path, help="left image of the rectified pair (default: a generated scene)")
+    parser.add_argument("--right", type=a_path, help="right image")
+    parser.add_argument("--stimulus", type=a_path, help="a stimulus.txt of one's own instead of images")
+    parser.add_argument("--expected", type=a_path, help="its expected.txt")
     parser.add_argument(
         "--rows",
         metavar="A:B|N",
@@ -62,18 +63,20 @@ def main() -> int:
         "--fit", choices=("none", "crop", "resize"), default="none", help="how images of another size are made to fit"
     )
     parser.add_argument("--simulator", choices=sorted(SIMULATORS), default="ghdl")
-    parser.add_argument("--rtl", type=path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
+    parser.add_argument(
+        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)"
+    )
     parser.add_argument(
         "--allow-edited", action="store_true", help="take VHDL that differs from its manifest, for experiments"
     )
     parser.add_argument(
         "--out",
-        type=path,
+        type=a_path,
         help="where reports go (default build/cosim/CONFIG-SIMULATOR; of several build/cosim/regression)",
     )
     parser.add_argument(
         "--wave",
-        type=path,
+        type=a_path,
         metavar="FILE",
         help=".ghw, .fst or .vcd (ghdl), .fst (verilator) around the first mismatch",
     )
@@ -101,12 +104,6 @@ def main() -> int:
     if options.record:
         record.keep(report)
     return job.exit_code(report)
-
-
-def path(text: str) -> Path:
-    if not text:  # else it would be the current folder
-        raise ValueError
-    return Path(text)
 
 
 def _check(options: argparse.Namespace) -> None:

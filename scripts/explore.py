@@ -12,8 +12,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from rich.console import Console
 
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import ROOT
-from flow.quality import evaluation, explore, front, hardware_cost
+from flow.quality import evaluation, explore, front, given_truth, hardware_cost
+from flow.quality.kept import Kept
 
 
 def parse() -> Namespace:
@@ -24,10 +26,16 @@ def parse() -> Namespace:
         action="append",
         default=[],
         metavar=("LEFT", "RIGHT", "TRUTH_LEFT", "TRUTH_RIGHT"),
-        help="a rectified pair and the true disparities of both images, - for none; repeat it",
+        help="a rectified pair and the true disparities of both images, - for none: then the other image is the "
+        "reference; repeat it",
     )
     parser.add_argument(
-        "--truth-scale", type=float, default=1, metavar="S", help="grey levels a pixel of the pairs' truth (default 1)"
+        "--truth-scale",
+        nargs="+",
+        action="extend",
+        type=float,
+        metavar="S",
+        help="grey levels a pixel of the pairs' 8-bit truth: one number for all, or one for each --pair (default 1)",
     )
     parser.add_argument(
         "--scenes", type=int, metavar="N", help="generated scenes beside the pairs (default 2 without a pair, else 0)"
@@ -58,10 +66,13 @@ def parse() -> Namespace:
         nargs="*",
         default=["sgm_450", "sgm_640"],
         metavar="NAME",
-        help="configurations that are tried as they are, but for the disparities (default sgm_450 sgm_640)",
+        help="configurations that are tried as they are, but for the disparities and, where only one image has truth, "
+        "the reference (default sgm_450 sgm_640)",
     )
     parser.add_argument(
-        "--mask", choices=evaluation.MASKS, default="non_occluded", help="region that counts (default non_occluded)"
+        "--mask",
+        choices=evaluation.MASKS,
+        help="region that counts (default non_occluded, or all where only one image has truth)",
     )
     parser.add_argument(
         "--measure", choices=evaluation.MEASURES, default="bad_1", help="what the front is of (default bad_1)"
@@ -78,10 +89,10 @@ def parse() -> Namespace:
     )
     parser.add_argument(
         "--out",
-        type=Path,
+        type=a_path,
         default=ROOT / "build" / "explore",
         metavar="DIR",
-        help="folder for explore.json, explore.csv and front.png",
+        help="folder for explore.json, explore.csv and front.png, and for evaluations.jsonl, which keeps what is done",
     )
     return parser.parse_args()
 
@@ -95,6 +106,11 @@ def check(options: Namespace) -> None:
         raise FlowError("--range must be 2 ... 256")
     if options.scenes is not None and options.scenes < 0:
         raise FlowError("--scenes must be 0 or more")
+    scales = options.truth_scale or [1]
+    if any(not scale > 0 or scale == float("inf") for scale in scales):
+        raise FlowError("--truth-scale must be above 0")
+    if len(scales) not in (1, len(options.pair)):
+        raise FlowError(f"--truth-scale: give one number, or one for each of the {len(options.pair)} pairs")
     for paths in options.pair:
         for path in paths:
             if path != "-" and not Path(path).is_file():
@@ -107,10 +123,13 @@ def check(options: Namespace) -> None:
 
 def given_pairs(options: Namespace) -> list[explore.Pair]:
     pairs = []
-    for left, right, *truths in options.pair:
+    scales = options.truth_scale or [1]
+    if len(scales) == 1:
+        scales = scales * len(options.pair)
+    for (left, right, *truths), scale in zip(options.pair, scales):
         truth_left, truth_right = (None if truth == "-" else Path(truth) for truth in truths)
         name = Path(left).parent.name or left
-        pairs.append(explore.Pair(name, Path(left), Path(right), truth_left, truth_right, options.truth_scale))
+        pairs.append(explore.Pair(name, Path(left), Path(right), truth_left, truth_right, scale))
     return pairs
 
 
@@ -124,18 +143,29 @@ def main() -> int:
         sorted(set(options.ranges)),
         list(dict.fromkeys(options.switch)),
     )
-    choices, refused = explore.choices(sweep, family)
+    number = options.scenes if options.scenes is not None else (0 if options.pair else 2)
+    pairs = given_pairs(options)
+    if not pairs and number == 0:
+        raise FlowError("no pair: give --pair or --scenes")
+    known = given_truth.known_sides(pairs) if pairs else given_truth.SIDES
+    options.mask = given_truth.mask(options.mask, known)
+    choices, refused = explore.choices(sweep, family, known)
     if not choices:
         raise FlowError("no choice is left: census takes no x-Sobel, and the texture check needs it")
-    choices += explore.named_choices(options.config, sweep.ranges)
-    number = options.scenes if options.scenes is not None else (0 if options.pair else 2)
-    pairs = given_pairs(options) + explore.generated_scenes(number, max(sweep.ranges), options.out)
-    if not pairs:
-        raise FlowError("no pair: give --pair or --scenes")
+    named, without_truth = explore.named_choices(options.config, sweep.ranges, known)
+    choices += named
+    pairs += explore.generated_scenes(number, max(sweep.ranges), options.out)
     names = ", ".join(pair.name for pair in pairs)
     left_out = f"; {refused} combinations left out that no core has" if refused else ""
     print(f"{len(choices)} choices of options on {len(pairs)} pair{'s' if len(pairs) != 1 else ''} ({names}){left_out}")
-    table = explore.rows(pairs, choices, explore.evaluate(pairs, choices, options.jobs), family, options.mask)
+    if len(known) == 1:
+        print(f"Only the {known[0]} images have truth: they are the references, and every pixel with truth counts.")
+    for name in without_truth:
+        print(f"{name} is left out: its reference is the other image, and no option changes that.")
+    methods = explore.evaluate(pairs, choices, options.jobs, Kept(options.out / "evaluations.jsonl"))
+    for remark in explore.remarks(pairs, methods):
+        print(remark)
+    table = explore.rows(pairs, choices, methods, family, options.mask)
     way = "valid_only" if options.valid_only else "invalid_bad"
     show(options, family, pairs, table, f"{options.measure}_{way}_percent")
     return EXIT_OK

@@ -11,6 +11,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import rtl
 from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import find_ghdl
 from flow.implementation import job, nextpnr, yosys
 from flow.implementation.targets import FAMILIES, TARGETS
@@ -77,8 +78,10 @@ def main() -> int:
         default=nextpnr.ROUTERS[0],
         help="of nextpnr (default router1; router2 ends where that one circles, with longer clocks)",
     )
-    parser.add_argument("--rtl", type=Path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)")
-    parser.add_argument("--out", type=Path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
+    parser.add_argument(
+        "--rtl", type=a_path, help="folder with manifest.json and VHDL (default generated_rtl/*/CONFIG)"
+    )
+    parser.add_argument("--out", type=a_path, help="implementation.json goes to OUT/CONFIG (default beside the VHDL)")
     work = jobs(parser.parse_args())
     find_ghdl()
     yosys.find_yosys()

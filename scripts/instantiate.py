@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files, rtl
 from flow.base.errors import EXIT_OK, ArgumentParser, FlowError, run_command
-from flow.base.options import megahertz
+from flow.base.options import a_path, megahertz
 from flow.kit import constraints, contents, write
 from flow.shell import template
 from flow.synthesis import manifest
@@ -22,7 +22,7 @@ def main() -> int:
     what.add_argument("--instance", action="store_true", help="only an instance, to be pasted")
     what.add_argument("--kit", choices=contents.TOOLS, help="a folder for this tool")
     parser.add_argument("--mhz", type=megahertz, help="clock in the constraints of a kit (default 100)")
-    parser.add_argument("--out", type=Path, help="file to write (default: standard output); of a kit: a new folder")
+    parser.add_argument("--out", type=a_path, help="file to write (default: standard output); of a kit: a new folder")
     options = parser.parse_args()
     if options.kit:
         if options.out is None:

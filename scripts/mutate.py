@@ -8,6 +8,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.mutation.judges import WORK
 from flow.mutation.run import Run
 
@@ -23,7 +24,7 @@ def main() -> int:
     )
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen (default 1)")
     parser.add_argument("--jobs", type=int, default=2, help="mutants at a time (default 2)")
-    parser.add_argument("--out", type=Path, default=WORK, help="folder of report.json (default build/mutation)")
+    parser.add_argument("--out", type=a_path, default=WORK, help="folder of report.json (default build/mutation)")
     options = parser.parse_args()
     if min(options.core, options.shell) < 0 or options.core + options.shell < 1 or options.jobs < 1:
         raise FlowError("--core and --shell must be 0 or more, together and --jobs 1 or more")

@@ -11,6 +11,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import python_module
 from flow.base.errors import EXIT_OK, EXIT_TOOL_FAILED, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import ROOT, run
 
 NOTEBOOK = ROOT / "examples" / "notebook" / "quality_cost.ipynb"
@@ -18,8 +19,10 @@ NOTEBOOK = ROOT / "examples" / "notebook" / "quality_cost.ipynb"
 
 def main() -> int:
     parser = ArgumentParser(prog="notebook.py", description=__doc__)
-    parser.add_argument("notebook", nargs="?", type=Path, default=NOTEBOOK, help="default: %(default)s")
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "notebook", help="folder (default build/notebook)")
+    parser.add_argument("notebook", nargs="?", type=a_path, default=NOTEBOOK, help="default: %(default)s")
+    parser.add_argument(
+        "--out", type=a_path, default=ROOT / "build" / "notebook", help="folder (default build/notebook)"
+    )
     options = parser.parse_args()
     if not options.notebook.is_file():
         raise FlowError(f"{options.notebook}: there is no such file")

@@ -10,6 +10,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
 from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.pages import quality
 
 
@@ -18,7 +19,7 @@ def main() -> int:
     parser.add_argument(
         "--pair",
         metavar="FOLDER",
-        type=Path,
+        type=a_path,
         default=quality.default_pair(),
         help="Teddy: left.png, right.png, disp_left_x4.pgm, disp_right_x4.pgm "
         "(default: teddy below env STEREO_DATA, else below ../shared/data/stereo)",

@@ -8,13 +8,14 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base import files
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, run_command
+from flow.base.options import a_path
 from flow.pages import demo_folder, report
 
 
 def main() -> int:
     parser = ArgumentParser(prog="report.py", description=__doc__)
-    parser.add_argument("--demo", required=True, type=Path, metavar="DIR", help="folder of scripts/demo.sh")
-    parser.add_argument("--out", type=Path, metavar="FILE", help="the page (default DIR/report.html)")
+    parser.add_argument("--demo", required=True, type=a_path, metavar="DIR", help="folder of scripts/demo.sh")
+    parser.add_argument("--out", type=a_path, metavar="FILE", help="the page (default DIR/report.html)")
     options = parser.parse_args()
     demo = demo_folder.read_demo(options.demo)
     page = options.out or options.demo / "report.html"

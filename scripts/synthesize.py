@@ -9,6 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.configurations import PLANNED, Configuration, configuration, configurations
 from flow.base.errors import EXIT_MISMATCH, EXIT_OK, ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.base.tools import find_bambu
 from flow.shell import template
 from flow.synthesis.generate import generate
@@ -41,7 +42,7 @@ def main() -> int:
         "--check", action="store_true", help="only say whether the committed VHDL is up to date; needs no Bambu"
     )
     parser.add_argument(
-        "--out", type=Path, help="another folder than generated_rtl, one subfolder for each configuration"
+        "--out", type=a_path, help="another folder than generated_rtl, one subfolder for each configuration"
     )
     options = parser.parse_args()
     table = configurations()

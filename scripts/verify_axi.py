@@ -9,6 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from flow.base.configurations import configuration
 from flow.base.errors import ArgumentParser, FlowError, run_command
+from flow.base.options import a_path
 from flow.shell import verify
 
 
@@ -32,7 +33,7 @@ def main() -> int:
     parser.add_argument("--simulator", choices=("ghdl", "verilator"), help="only what runs in this one")
     parser.add_argument(
         "--out",
-        type=Path,
+        type=a_path,
         default=verify.WORK / "verify",
         help="report.json, junit.xml, streams (default build/axi/verify)",
     )

@@ -2,6 +2,7 @@
 """The parameter study: what is measured, estimated or absent, which choices are on the front, and the whole command."""
 
 import csv
+import itertools
 import json
 import os
 import shlex
@@ -14,7 +15,7 @@ from flow.base import rtl
 from flow.base.configurations import configurations
 from flow.base.tools import find_stereo_hls
 from flow.implementation import figures, results
-from flow.quality import explore, hardware_cost
+from flow.quality import explore, front, hardware_cost
 from flow.quality.hardware_cost import ABSENT, ESTIMATE, MEASURED, Study
 from flow.synthesis import manifest
 from flow_commands import call, refused
@@ -279,3 +280,41 @@ def test_an_evaluation_that_fails(tmp_path, answer, code, words):
     process = call("explore.py", *options, tmp_path / "out", environment=stand_in(tmp_path, answer))
     refused(process, code, *words)
     assert not [name for name in os.listdir(tmp_path / "out") if not name.startswith("scene")]
+
+
+# --- the picture ------------------------------------------------------------------------------------------------------
+
+
+def crowded(number, rng):
+    """A table whose front has `number` points close to each other, among others that are not on it."""
+
+    def row(title, luts, bad):
+        return {"title": title, "cost": "sad", "luts": luts, "luts_are": MEASURED, "disparities": 16, "bad": bad}
+
+    front_rows = [row(f"sad 9x9 xsobel {i}", 5000 + 60 * i, 20 * 0.99**i) for i in range(number)]
+    others = [row("other", 5000 + rng.randrange(900), 21 + 5 * rng.random()) for _ in range(20)]
+    absent = {**row("absent", None, 19), "luts_are": ABSENT}
+    far = row("far", 9000, 0.9 * 20 * 0.99 ** (number - 1))
+    table = [*front_rows, *others, absent, far]
+    explore.mark_front(table, "bad")
+    assert sum(row["front"] for row in table) == number + 1
+    return table
+
+
+def test_names_of_the_front_cover_nothing(rng):
+    text = pytest.importorskip("matplotlib.text", reason="SKIP: python3-matplotlib is not installed")
+    table = crowded(8, rng)
+    figure = front.panels(table, "bad", "bad 1", lambda disparities: "LUT4")
+    figure.canvas.draw()
+    (axis,) = figure.axes
+    labels = [label for label in axis.texts if label.get_text()]
+    assert len(labels) == 9
+    boxes = {label.get_text(): text.Text.get_window_extent(label) for label in labels}
+    for (name, box), (other, other_box) in itertools.combinations(boxes.items(), 2):
+        assert not box.overlaps(other_box), f"{name} on {other}"
+    points = axis.transData.transform([(row["luts"], row["bad"]) for row in table if row["luts"] is not None])
+    panel = axis.get_window_extent()
+    for name, box in boxes.items():
+        assert not [point for point in points if box.contains(*point)], f"{name} on a point"
+        assert not box.overlaps(axis.get_legend().get_window_extent()), f"{name} on the legend"
+        assert panel.x0 <= box.x0 and box.x1 <= panel.x1 and panel.y0 <= box.y0 and box.y1 <= panel.y1, name

@@ -14,7 +14,7 @@ from flow.base.errors import FlowError
 from flow.cosim import job, report
 from flow.pages import clock_logic, features, performance
 from flow.shell import registers
-from flow_commands import call, cosim, scene
+from flow_commands import call, cosim, refused, scene
 
 
 def stale(monkeypatch, tmp_path):
@@ -132,3 +132,19 @@ def test_commands_with_empty_paths(tmp_path):
     pair = scene(tmp_path / "scene", "tiny")
     assert cosim("tiny", pair, "").returncode == 2
     assert call("cosim.py", "--config", "tiny", "--rtl", "").returncode == 2
+
+
+@pytest.mark.parametrize(
+    "command,words",
+    [
+        ("explore.py", ["--scenes", 0]),
+        ("implement.py", ["--config", "tiny", "--target", "ecp5"]),
+        ("instantiate.py", ["--config", "tiny"]),
+        ("mutate.py", []),
+        ("notebook.py", []),
+        ("report.py", ["--demo", "nothing"]),
+        ("synthesize.py", []),
+    ],
+)
+def test_an_empty_path_is_not_the_current_folder(command, words):
+    refused(call(command, *words, "--out", ""), 2, "argument --out: must not be empty")

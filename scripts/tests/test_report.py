@@ -186,6 +186,26 @@ def test_layout(pages, tmp_path, width):
         assert image["shown"] >= (0.85 * width if width < 520 else 300)
 
 
+@pytest.mark.parametrize("scheme,paper", [("light", "rgb(255, 255, 255)"), ("dark", "rgb(21, 24, 26)")])
+def test_text_can_be_read_in_both_schemes(pages, tmp_path, scheme, paper):
+    seen = look(pages, tmp_path, 1280, scheme=scheme)
+    assert seen["paper"] == paper
+    assert seen["contrast"][0] >= 4.5, f"{seen['contrast'][1]}, WCAG's AA"
+
+
+def test_the_contrast_check_sees_grey_on_grey(pages, tmp_path):
+    broken = tmp_path / "broken.html"
+    broken.write_text(pages.read_text().replace("--quiet: #4f565c", "--quiet: #9fa6ac", 1))
+    assert look(broken, tmp_path, 1280)["contrast"][0] < 4.5
+
+
+def test_a_table_that_goes_on_shows_it(pages, tmp_path):
+    """With a shadow at its edge, and the keyboard reaches it."""
+    seen = look(pages, tmp_path, 390)
+    assert len(seen["scrolling"]) >= 2
+    assert all(tab == 0 and shadows == 4 for tab, shadows in seen["scrolling"]), seen["scrolling"]
+
+
 def test_the_layout_check_sees_an_overflow(pages, tmp_path):
     broken = tmp_path / "broken.html"
     broken.write_text(pages.read_text().replace("<h1>", '<div style="width: 1500px">wide</div><h1>', 1))

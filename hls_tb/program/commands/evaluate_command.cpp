@@ -2,6 +2,7 @@
 #include "program/commands/evaluate_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -9,12 +10,15 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
+#include "program/commands/pair_options.hpp"
+#include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/errors.hpp"
 #include "program/evaluation/camera_difference.hpp"
 #include "program/evaluation/evaluation.hpp"
 #include "program/evaluation/opencv_matchers.hpp"
+#include "program/evaluation/truth.hpp"
 #include "program/io/disparity_files.hpp"
 #include "program/io/images.hpp"
 #include "program/io/output_folder.hpp"
@@ -30,6 +34,8 @@ struct Arguments {
    int opencv_disparities = 0, opencv_block = 0;  ///< 0: as stored
    CameraDifference cameras;
    int threads = 1;
+   Engine engine = Engine::fast;
+   Postprocessing postprocessing;
 };
 
 /// The images and, of each that has one, truth and masks.
@@ -79,16 +85,29 @@ GroundTruth load(const Arguments& arguments) {
 /// range: the disparities that the method looks for; nothing where they are not known.
 void score(EvaluatedMethod& method, const DisparityImage& found, std::optional<DisparityRange> range,
            const GroundTruth& truth) {
-   if (const std::optional<DisparityImage>& wanted = truth.of(method.reference))
-      method.masks = measure_masks(found, method.reference, range, *wanted, truth.masks(method.reference));
+   const std::optional<DisparityImage>& wanted = truth.of(method.reference);
+   if (!wanted) return;
+   method.masks = measure_masks(found, method.reference, range, *wanted, truth.masks(method.reference));
+   std::string remark = range ? range_remark(method.name, *wanted, *range) : "";
+   if (remark.empty() && !method.masks.empty()) {
+      const Measures& all = method.masks.front().measures;
+      remark = bad_remark(method.name, double(all.bad_by_more_than_1_px()), double(all.valid));
+   }
+   if (!remark.empty()) method.remarks.push_back(remark);
 }
 
 EvaluatedMethod evaluate_core(const std::string& name, const Arguments& arguments, const GroundTruth& truth) {
    const auto algorithm = named_algorithm(name, arguments.settings);
-   EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options()), 0, {}};
-   const DisparityMap map =
-       timed(method.milliseconds, [&] { return match_named(name, truth.seen, *algorithm, arguments.threads); });
+   EvaluatedMethod method{name, "core", Reference::left, options_json(algorithm->options())};
+   method.engine = word_of(arguments.engine);
+   method.postprocessing = postprocessing_json(arguments.postprocessing);
    const MapGeometry geometry = algorithm->map_geometry(truth.pair.left.width);
+   const auto match_once = [&](const ImagePair& pair) {
+      return match_named(name, pair, *algorithm, arguments.threads, arguments.engine);
+   };
+   const DisparityMap map = timed(method.milliseconds, [&] {
+      return match_and_process(match_once, truth.seen, geometry, arguments.postprocessing).map;
+   });
    method.reference = geometry.reference;
    score(method, at_image_size(map, geometry, truth.pair.left.width), range_of(*algorithm), truth);
    return method;
@@ -99,7 +118,7 @@ EvaluatedMethod evaluate_opencv(const std::string& word, const Arguments& argume
    if (arguments.opencv_disparities != 0) matcher.disparities = arguments.opencv_disparities;
    if (arguments.opencv_block != 0) matcher.block_px = arguments.opencv_block;
    check_opencv_matcher(matcher, truth.pair.left.width, truth.pair.left.height);
-   EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher), 0, {}};
+   EvaluatedMethod method{matcher.name(), "opencv", Reference::left, parameters_json(matcher)};
    score(method, timed(method.milliseconds, [&] { return match_opencv(truth.seen, matcher, arguments.threads); }),
          DisparityRange{0, matcher.disparities}, truth);
    return method;
@@ -109,10 +128,24 @@ EvaluatedMethod evaluate_file(const std::string& path, const std::string& refere
                               const GroundTruth& truth) {
    const DisparityImage found = load_disparities("--disparity", path, arguments.disparity_scale);
    require_size(found, truth.pair.left, "--disparity " + path);
-   EvaluatedMethod method{path,         "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}},
-                          kNoDisparity, {}};
+   EvaluatedMethod method{path, "file", reference_words().at(reference), {{"scale", arguments.disparity_scale}}};
+   method.milliseconds = kNoDisparity;
    score(method, found, std::nullopt, truth);
    return method;
+}
+
+/// Where --opencv-disparities says nothing, --set disparities does, as the next multiple of 16.
+void follow_set_disparities(Arguments& arguments) {
+   if (arguments.opencv.empty() || arguments.opencv_disparities != 0) return;
+   std::string set;
+   for_each_setting(arguments.settings, [&](const std::string& name, const std::string& value) {
+      if (name == "disparities") set = value;
+   });
+   if (set.empty()) return;
+   constexpr int kSteps = 16, kMost = 1 << 20;  // far more than OpenCV takes, which is checked later
+   arguments.opencv_disparities = (std::clamp(std::stoi(set), 1, kMost) + kSteps - 1) / kSteps * kSteps;
+   std::cout << "OpenCV's matchers look for " << arguments.opencv_disparities
+             << " disparities, as --set disparities=" << set << " says\n";
 }
 
 void write_json(const std::string& path, const nlohmann::json& json) {
@@ -122,7 +155,7 @@ void write_json(const std::string& path, const nlohmann::json& json) {
    out.commit();
 }
 
-void evaluate(const Arguments& arguments) {
+void evaluate(Arguments arguments) {
    if (arguments.disparities.size() != arguments.references.size())
       throw InputError("--disparity: each of the " + std::to_string(arguments.disparities.size()) +
                        " files needs its own --reference left or right, in the same order");
@@ -130,6 +163,12 @@ void evaluate(const Arguments& arguments) {
       throw InputError("evaluate: name what to evaluate with --config, --opencv or --disparity");
    if (arguments.configs.empty() && !arguments.settings.empty())
       throw InputError("--set: changes the options of configurations; name one with --config");
+   if (arguments.configs.empty() && (arguments.engine == Engine::clocked || arguments.postprocessing.rejects()))
+      throw InputError(
+          "--engine clocked, --speckle-window and --least-confidence are for configurations; name one with --config");
+   require_settable(arguments.engine, arguments.settings);
+   for (const std::string& name : arguments.configs) named_algorithm(name, arguments.settings);  // throws
+   follow_set_disparities(arguments);
    const GroundTruth truth = load(arguments);
    Evaluation evaluation{arguments.left,
                          arguments.right,
@@ -149,19 +188,23 @@ void evaluate(const Arguments& arguments) {
 }
 
 void add_methods(CLI::App& command, Arguments& arguments) {
-   command
-       .add_option("--config", arguments.configs, "configuration, run by the fast model on the whole images; repeat it")
+   command.add_option("--config", arguments.configs, "configuration, run on the whole images; repeat it")
        ->allow_extra_args(false);
    command
        .add_option("--set", arguments.settings,
                    "NAME=VALUE: an option of all named configurations, such as window_px=9")
        ->allow_extra_args(false);
+   add_choice(command, "--engine", arguments.engine, engine_words(),
+              "fast (default): the software models, any size; clocked: the hardware's C++, images of its size");
+   add_postprocessing_options(command, arguments.postprocessing, "the configurations' maps");
    command
        .add_option("--opencv", arguments.opencv,
                    "OpenCV's StereoBM or StereoSGBM: bm, sgbm or another mode of sgbm; repeat it")
        ->allow_extra_args(false)
        ->check(CLI::IsMember(&opencv_kinds()));
-   command.add_option("--opencv-disparities", arguments.opencv_disparities, "theirs; default 48")
+   command
+       .add_option("--opencv-disparities", arguments.opencv_disparities,
+                   "theirs; default what --set disparities says, up to the next multiple of 16, else 48")
        ->check(CLI::PositiveNumber);
    command.add_option("--opencv-block", arguments.opencv_block, "theirs; default 15 for bm, 3 for sgbm")
        ->check(CLI::PositiveNumber);

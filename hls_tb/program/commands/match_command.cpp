@@ -7,16 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "engines/clocked/core_modules.hpp"
-#include "engines/clocked/match_clocked.hpp"
+#include "program/commands/checks.hpp"
 #include "program/commands/named_matching.hpp"
 #include "program/commands/options_json.hpp"
 #include "program/commands/pair_options.hpp"
+#include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
 #include "program/errors.hpp"
+#include "program/evaluation/evaluation.hpp"
 #include "program/evaluation/truth.hpp"
+#include "program/io/disparity_files.hpp"
 #include "program/io/images.hpp"
 #include "program/io/output_folder.hpp"
 #include "program/io/overview.hpp"
@@ -24,18 +26,20 @@
 namespace stereo::app {
 namespace {
 
-enum class Engine { fast, clocked };
-
 struct Arguments {
    std::string config, left, right, out;
-   std::string truth, visible;  ///< the reference image's true disparities and what counts of them; both or none
+   std::vector<std::string> settings;
+   std::string truth, visible;  ///< the reference image's true disparities, and what counts of them
+   double truth_scale = 1;
+   Postprocessing postprocessing;
    Engine engine = Engine::fast;
    Fit fit = Fit::none;
    int threads = 1;
 };
 
 /// The pair at the size that is matched.
-ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& configuration) {
+ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& configuration,
+                             const Algorithm& algorithm) {
    const Image& wanted = configuration.shape.image;
    ImagePair pair = load_pair(arguments.left, arguments.right);
    if (arguments.engine == Engine::clocked || arguments.fit != Fit::none)
@@ -44,7 +48,7 @@ ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& co
       std::cout << "the images are " << size_text(pair.left) << ", not the "
                 << size_text(wanted.width_px, wanted.height_px) << " of " << configuration.name
                 << ": its options are applied to the whole images\n";
-   const MapGeometry map = configuration.algorithm->map_geometry(pair.left.width);
+   const MapGeometry map = algorithm.map_geometry(pair.left.width);
    if (map.width < 1)
       throw InputError(arguments.left + ": is " + std::to_string(pair.left.width) +
                        " pixels wide but must be wider than the " + std::to_string(map.disparities) +
@@ -53,16 +57,23 @@ ImagePair load_pair_to_match(const Arguments& arguments, const Configuration& co
    return pair;
 }
 
+std::string line_of(const std::string& remark) { return remark.empty() ? "" : remark + "\n"; }
+
 TruthScore load_and_score(const Arguments& arguments, const DisparityMap& map, const MapGeometry& geometry,
-                          const GrayImage& reference) {
-   const GrayImage truth = load_gray(arguments.truth), visible = load_gray(arguments.visible);
-   const auto require_size = [&](const std::string& option, const GrayImage& image) {
+                          const GrayImage& reference, DisparityRange range) {
+   // Which pixels count is said in one place: by --visible, else by the pixels of the truth that are not 0.
+   const bool has_visible = !arguments.visible.empty();
+   const DisparityImage truth = load_disparities("--truth", arguments.truth, arguments.truth_scale, has_visible);
+   const GrayImage visible =
+       has_visible ? load_gray(arguments.visible) : GrayImage(reference.width, reference.height, 255);
+   const auto require_size = [&](const std::string& option, const auto& image) {
       if (!image.same_size(reference))
          throw InputError(option + ": the image is " + size_text(image) + " but the matched " +
                           word_of(geometry.reference) + " image is " + size_text(reference));
    };
    require_size("--truth " + arguments.truth, truth);
    require_size("--visible " + arguments.visible, visible);
+   std::cout << line_of(range_remark(arguments.config, truth, range));
    return score_against_truth(map, geometry, truth, visible);
 }
 
@@ -86,7 +97,7 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
    facts.json = options_json(algorithm.options());
    facts.json.update({{"format", "stereo-hls match 1"},
                       {"config", arguments.config},
-                      {"engine", fast ? "fast" : "clocked"},
+                      {"engine", word_of(arguments.engine)},
                       {"left", arguments.left},
                       {"right", arguments.right},
                       {"fit", fit_word(arguments.fit)},
@@ -99,45 +110,59 @@ void add_matching(Facts& facts, const Arguments& arguments, const DisparityMap& 
                       {"disparity_steps_per_px", map.steps_per_pixel()},
                       {"density", density(map)},
                       {"threads", fast ? arguments.threads : 1},
+                      {"postprocessing", postprocessing_json(arguments.postprocessing)},
                       {"milliseconds", milliseconds}});
    facts.text << size_text(pair.left) << ", " << algorithm.description() << " -> " << size_text(map) << ", "
               << (fast ? "fast model, threads: " + std::to_string(arguments.threads) : "clocked core") << ", "
               << std::fixed << std::setprecision(2) << milliseconds << " ms\n";
-   if (geometry.has_check) facts.text << "valid pixels: " << 100 * density(map) << " %\n";
+   if (geometry.has_check || arguments.postprocessing.rejects())
+      facts.text << "valid pixels: " << 100 * density(map) << " %\n";
 }
 
 void add_truth(Facts& facts, const Arguments& arguments, const TruthScore& truth) {
-   facts.json["truth"] = {
-       {"disparity", arguments.truth},  {"visible", arguments.visible}, {"tolerance_px", kBadPixelTolerance},
-       {"compared_px", truth.compared}, {"bad_px", truth.bad},          {"invalid_px", truth.invalid}};
-   facts.text << "bad pixels (> " << kBadPixelTolerance << " px): " << truth.bad << " of " << truth.compared
-              << " visible ones (" << 100.0 * truth.bad / std::max(truth.compared, 1) << " %)";
-   if (truth.invalid > 0) facts.text << "; " << truth.invalid << " visible ones are invalid and do not count";
-   facts.text << '\n';
+   facts.json["truth"] = {{"disparity", arguments.truth},       {"scale", arguments.truth_scale}, {"visible", nullptr},
+                          {"tolerance_px", kBadPixelTolerance}, {"compared_px", truth.compared},  {"bad_px", truth.bad},
+                          {"invalid_px", truth.invalid}};
+   const bool has_visible = !arguments.visible.empty();
+   if (has_visible) facts.json["truth"]["visible"] = arguments.visible;
+   const char* const which = has_visible ? " visible ones" : " with a true disparity";
+   facts.text << "bad pixels (> " << kBadPixelTolerance << " px): " << truth.bad << " of " << truth.compared << which
+              << " (" << 100.0 * truth.bad / std::max(truth.compared, 1) << " %)";
+   if (truth.invalid > 0) facts.text << "; " << truth.invalid << which << " are invalid and do not count";
+   facts.text << '\n' << line_of(bad_remark(arguments.config, truth.bad, truth.compared));
 }
 
 void match(const Arguments& arguments) {
    const Configuration& configuration = require_configuration(arguments.config);
-   const Algorithm& algorithm = *configuration.algorithm;
-   const ImagePair pair = load_pair_to_match(arguments, configuration);
+   require_settable(arguments.engine, arguments.settings);
+   const auto set_algorithm = named_algorithm(arguments.config, arguments.settings);
+   const Algorithm& algorithm = *set_algorithm;
+   const ImagePair pair = load_pair_to_match(arguments, configuration, algorithm);
    std::cout << rectification_warning(pair);
    double milliseconds = 0;
-   const DisparityMap map = timed(milliseconds, [&] {
-      return arguments.engine == Engine::fast ? algorithm.match_fast(pair.left, pair.right, arguments.threads)
-                                              : match_clocked(core_module(configuration.name), pair);
-   });
+   const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
+   const auto match_once = [&](const ImagePair& images) {
+      return match_named(arguments.config, images, algorithm, arguments.threads, arguments.engine);
+   };
+   const auto [map, confidence] =
+       timed(milliseconds, [&] { return match_and_process(match_once, pair, geometry, arguments.postprocessing); });
 
    Facts facts;
    add_matching(facts, arguments, map, algorithm, pair, milliseconds);
-   const MapGeometry geometry = algorithm.map_geometry(pair.left.width);
    const GrayImage& reference = geometry.reference == Reference::left ? pair.left : pair.right;
-   if (!arguments.truth.empty()) add_truth(facts, arguments, load_and_score(arguments, map, geometry, reference));
+   if (!arguments.truth.empty())
+      add_truth(facts, arguments, load_and_score(arguments, map, geometry, reference, range_of(algorithm)));
 
    OutputFolder out(arguments.out);
    out.add("disparity.png", encode_png(map));
    out.add("disparity_color.png", encode_color_png(map, geometry.disparities));
-   if (geometry.has_check) out.add("valid.png", encode_valid_png(map));
-   else out.leave_out("valid.png", {arguments.left, arguments.right, arguments.truth, arguments.visible});
+   const std::vector<std::string> inputs{arguments.left, arguments.right, arguments.truth, arguments.visible};
+   if (geometry.has_check || arguments.postprocessing.rejects())
+      out.add("valid.png", encode_valid_png(map), OutputFolder::Runs::some);
+   else out.leave_out("valid.png", inputs);
+   if (arguments.postprocessing.wants_confidence)
+      out.add("confidence.png", encode_png(*confidence), OutputFolder::Runs::some);
+   else out.leave_out("confidence.png", inputs);
    out.add("overview.png", encode_overview_png(pair, map, geometry));
    out.add_json("match.json", facts.json);
    std::cout << facts.text.str();
@@ -148,17 +173,31 @@ void match(const Arguments& arguments) {
 
 void add_match(CLI::App& app) {
    static Arguments arguments;
-   static const std::map<std::string, Engine> kEngines{{"fast", Engine::fast}, {"clocked", Engine::clocked}};
    CLI::App* command = app.add_subcommand("match", "make a disparity map: disparity.png, overview.png, match.json ...");
    command->add_option("--config", arguments.config, "configuration")->required();
    command->add_option("--out", arguments.out, "folder for the results")->required();
-   add_choice(*command, "--engine", arguments.engine, kEngines,
+   add_choice(*command, "--engine", arguments.engine, engine_words(),
               "fast (default): the software model, any size; clocked: the hardware's C++");
+   command
+       ->add_option("--set", arguments.settings,
+                    "NAME=VALUE: another option than the configuration's, such as window_px=9")
+       ->allow_extra_args(false);
    add_threads_option(*command, arguments.threads);
    add_pair_options(*command, arguments.left, arguments.right, arguments.fit);
-   CLI::Option* truth =
-       command->add_option("--truth", arguments.truth, "true disparities of the reference image: count bad pixels");
-   truth->needs(command->add_option("--visible", arguments.visible, "pixels that count: not 0")->needs(truth));
+   add_postprocessing_options(*command, arguments.postprocessing);
+   command->add_flag("--confidence", arguments.postprocessing.wants_confidence,
+                     "also write confidence.png: 255 for the surest disparities, 0 for those without any");
+   CLI::Option* truth = command->add_option(
+       "--truth", arguments.truth,
+       "true disparities of the reference image: count bad pixels; PFM, 8 bits (0 unknown) or 16 bits as KITTI's");
+   command->add_option("--truth-scale", arguments.truth_scale, "grey levels a pixel of 8-bit truth")
+       ->check(check_positive_number)
+       ->capture_default_str()
+       ->needs(truth);
+   command
+       ->add_option("--visible", arguments.visible,
+                    "image whose pixels count where not 0; then 0 is a true disparity, too")
+       ->needs(truth);
    command->callback([] { match(arguments); });
 }
 

@@ -8,7 +8,18 @@ import zlib
 
 import pytest
 
-from stereo_hls_program import DISPARITIES, HEIGHT, PROGRAM, WIDTH, fail, gray_image, succeed, write_image
+from stereo_hls_program import (
+    DISPARITIES,
+    HEIGHT,
+    PROGRAM,
+    WIDTH,
+    fail,
+    gray_as_colour,
+    gray_image,
+    run,
+    succeed,
+    write_image,
+)
 
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="the program stereo_hls is missing: set STEREO_HLS to it")
 
@@ -73,14 +84,15 @@ def test_a_map_of_known_errors(tmp_path, evaluate, pair):
     assert f"{100 * 3 / known:.2f}" in out, "bad 1 with invalid pixels as bad"
 
 
-@pytest.mark.parametrize("kind", ["pfm", "pgm", "png16"])
+@pytest.mark.parametrize("kind", ["pfm", "pgm", "ppm", "png16"])
 def test_every_kind_of_truth_says_the_same(tmp_path, evaluate, kind):
     value = lambda x, y: 0 if (x + y) % 5 == 0 else 2 + (x + 3 * y) % 9 / 4  # noqa: E731, 0: unknown
     truth, found = tmp_path / f"truth.{kind}", pfm(tmp_path / "found.pfm", lambda x, y: 3)
     if kind == "pfm":
         pfm(truth, lambda x, y: value(x, y) or float("inf"))
-    elif kind == "pgm":
-        gray_image(truth, lambda x, y: round(4 * value(x, y)))
+    elif kind in ("pgm", "ppm"):
+        write = {"pgm": gray_image, "ppm": gray_as_colour}[kind]
+        write(truth, lambda x, y: round(4 * value(x, y)))
     else:
         truth = png16(tmp_path / "truth.png", lambda x, y: round(256 * value(x, y)))
     _, [method] = results(
@@ -149,6 +161,68 @@ def test_opencv_finds_the_shift(tmp_path):
         assert searchable["pixels"] == (120 - 10 - 16) * (60 - 20), "the first 16 columns cannot be searched"
         assert searchable["density"] >= mask["density"]
     assert "StereoSGBM" in out and "a border of 10 px" in out
+
+
+def test_opencv_follows_the_disparities_that_are_set(tmp_path):
+    pair = [*shifted_pair(tmp_path, width=120, height=60), "--config", "tiny", "--opencv", "bm", "--opencv", "sgbm"]
+    for disparities, theirs in ((32, 32), (33, 48), (1, 16)):
+        if disparities > 1:
+            out, methods = results(tmp_path, *pair, "--set", "disparities=7", "--set", f"disparities={disparities}")
+            assert methods[0]["parameters"]["disparities"] == disparities
+            assert [m["parameters"]["disparities"] for m in methods[1:]] == [theirs, theirs]
+            assert f"OpenCV's matchers look for {theirs} disparities, as --set disparities={disparities}" in out
+    out, methods = results(tmp_path, *pair, "--set", "disparities=32", "--opencv-disparities", 16)
+    assert [m["parameters"]["disparities"] for m in methods] == [32, 16, 16] and "look for" not in out
+    assert [m["parameters"]["disparities"] for m in results(tmp_path, *pair)[1]] == [DISPARITIES, 48, 48]
+
+
+def test_the_clocked_core_is_measured_as_the_fast_model_is(tmp_path):
+    pair = [*shifted_pair(tmp_path), "--border", 0, "--config", "tiny"]
+    _, [fast] = results(tmp_path, *pair)
+    _, [clocked] = results(tmp_path, *pair, "--engine", "clocked")
+    assert fast.pop("engine") == "fast" and clocked.pop("engine") == "clocked"
+    assert fast.pop("milliseconds") != clocked.pop("milliseconds")
+    assert fast == clocked
+    truth = ["--truth-left", tmp_path / "shift.pfm"]
+    clocked = [*pair[:5], *truth, "--config", "tiny", "--engine", "clocked"]
+    fail(tmp_path, *clocked, "--set", "window_px=5", says=["--set window_px=5", "built in"])
+    fail(tmp_path, *clocked[:-4], "--opencv", "bm", *clocked[-2:], says=["--engine clocked", "--config"])
+    wide = [*shifted_pair(tmp_path, width=WIDTH + 2), "--config", "tiny", "--engine", "clocked"]
+    fail(tmp_path, *wide, says=["34x12", "32x12"])
+    process = run(*pair[:5], *truth, "--config", "opencv_bm_missing", "--engine", "clocked")
+    assert process.returncode == 2 and "opencv_bm_missing" in process.stderr
+
+
+def test_speckles_and_confidence_of_configurations(tmp_path):
+    pair = [*shifted_pair(tmp_path, width=60, height=30), "--border", 0, "--config", "tiny", "--opencv", "bm"]
+    _, [plain, bm] = results(tmp_path, *pair, "--opencv-block", 7)
+    for words in (["--speckle-window", 100000], ["--least-confidence", 255]):
+        _, [core, bm_again] = results(tmp_path, *pair, "--opencv-block", 7, *words)
+        assert core["masks"]["all"]["density"] < plain["masks"]["all"]["density"]
+        assert core["postprocessing"] != plain["postprocessing"]
+        assert bm_again["masks"] == bm["masks"] and "postprocessing" not in bm
+    assert core["masks"]["all"]["bad_1"]["valid_only"] == 0
+    fail(tmp_path, *pair[:-4], "--opencv", "bm", "--speckle-window", 9, says=["--speckle-window", "--config"])
+
+
+def test_truth_that_cannot_fit_is_remarked(tmp_path, evaluate):
+    far = pfm(tmp_path / "far.pfm", lambda x, y: 90.5)
+    out, [method] = results(tmp_path, *evaluate, "--truth-right", far, "--config", "tiny")
+    assert method["remarks"] == [
+        "tiny looks for disparities of 0 ... 7 px, but 100 % of the true ones, 90.5 ... 90.5 px, lie outside: "
+        "is the scale of the truth right?"
+    ]
+    assert method["remarks"][0] in out
+    near = pfm(tmp_path / "near.pfm", lambda x, y: 7)
+    found = pfm(tmp_path / "found.pfm", lambda x, y: 3)
+    words = ["--truth-left", near, "--reference", "left", "--disparity"]
+    _, [method] = results(tmp_path, *evaluate, *words, found)
+    assert method["remarks"] == [
+        f"100 % of the disparities that {found} found are off by more than 1 px: "
+        "do the truth, its scale and the images belong together?"
+    ]
+    _, [method] = results(tmp_path, *evaluate, *words, near)
+    assert method["remarks"] == []
 
 
 def test_the_table_comes_without_json(tmp_path, pair):

@@ -4,6 +4,7 @@
 import json
 import os
 import random
+import struct
 
 import pytest
 
@@ -14,6 +15,7 @@ from stereo_hls_program import (
     WIDTH,
     changed,
     fail,
+    gray_as_colour,
     gray_image,
     png_depth,
     png_size,
@@ -77,6 +79,7 @@ def test_match_writes_its_facts(tmp_path, match, pair):
         "output_first_column": 0,
         "disparity_steps_per_px": 1,
         "density": 1,
+        "postprocessing": {"speckle_window_px": 0, "speckle_range_px": 1, "least_confidence": 0},
     }
 
 
@@ -189,12 +192,95 @@ def test_match_counts_bad_pixels(tmp_path, match):
     assert f"bad pixels (> 1 px): {columns} of {columns * (HEIGHT - 1)} visible ones (9.09 %)" in out
     assert match_facts(tmp_path)["truth"] == {
         "disparity": str(truth),
+        "scale": 1,
         "visible": str(visible),
         "tolerance_px": 1,
         "compared_px": columns * (HEIGHT - 1),
         "bad_px": columns,
         "invalid_px": 0,
     }
+
+
+@pytest.mark.parametrize("kind", ["scaled", "colour", "pfm"])
+def test_truth_needs_no_visible_pixels(tmp_path, match, kind):
+    """As for evaluate: any kind of file, and what is not known does not count."""
+    ground = [[random.Random(x * 100 + y).randrange(256) for x in range(WIDTH + 3)] for y in range(HEIGHT)]
+    match = changed(match, "--left", gray_image(tmp_path / "l.pgm", lambda x, y: ground[y][x]))
+    match = changed(match, "--right", gray_image(tmp_path / "r.pgm", lambda x, y: ground[y][x + 3]))
+    value = lambda x, y: 0 if y == 4 else 5 if y == 3 else 3  # noqa: E731, 0: unknown
+    truth = tmp_path / f"truth.{kind}"
+    if kind == "scaled":
+        gray_image(truth, lambda x, y: 16 * value(x, y))
+    elif kind == "colour":
+        gray_as_colour(truth, lambda x, y: 16 * value(x, y))
+    else:
+        rows = [struct.pack(f"<{WIDTH}f", *(value(x, y) or float("inf") for x in range(WIDTH))) for y in range(HEIGHT)]
+        truth.write_bytes(f"Pf\n{WIDTH} {HEIGHT}\n-1\n".encode() + b"".join(reversed(rows)))
+    out = succeed(*match, "--truth", truth, "--truth-scale", 16)
+    columns = WIDTH - DISPARITIES
+    assert f"{columns} of {columns * (HEIGHT - 1)} with a true disparity (9.09 %)" in out
+    facts = match_facts(tmp_path)["truth"]
+    assert facts["visible"] is None and facts["scale"] == 16
+    assert (facts["compared_px"], facts["bad_px"]) == (columns * (HEIGHT - 1), columns)
+
+
+def test_truth_of_a_wrong_scale_is_remarked(tmp_path, match):
+    truth = gray_image(tmp_path / "t.pgm", lambda x, y: 40)
+    assert "looks for disparities of 0 ... 7 px, but 100 %" in succeed(*match, "--truth", truth)
+    assert "lie outside" not in succeed(*match, "--truth", truth, "--truth-scale", 10)
+
+
+def test_set_changes_options_of_the_fast_model(tmp_path, match):
+    out = succeed(*match, "--set", "window_px=5", "--set", "left_right_threshold=1")
+    assert "window 5x5" in out and match_facts(tmp_path)["window_px"] == 5
+    assert (tmp_path / "out" / "valid.png").exists()
+    match = changed(match, "--out", tmp_path / "other")
+    fail(tmp_path, *match, "--set", "window=5", says=["--set window=5", "window_px"])
+    fail(tmp_path, *match, "--set", "disparities=40", says=["l.pgm", "40 disparities"])
+    fail(tmp_path, *match, "--engine", "clocked", "--set", "window_px=5", says=["--set window_px=5", "built in"])
+
+
+def test_speckles_and_confidence(tmp_path, match):
+    def files():
+        return {p.name for p in (tmp_path / "out").iterdir()}
+
+    succeed(*match)
+    without, map_before = files(), (tmp_path / "out" / "disparity.png").read_bytes()
+    out = succeed(*match, "--speckle-window", 400)
+    assert "valid pixels: 0.00 %" in out, "no set has 400 of the map's 288 pixels"
+    assert files() == without | {"valid.png"}
+    assert (tmp_path / "out" / "disparity.png").read_bytes() == map_before, "only the validity changes"
+    assert "valid pixels: 100.00 %" in succeed(*match, "--speckle-window", 1, "--speckle-range", 256)
+    succeed(*match, "--confidence")
+    assert files() == without | {"confidence.png"}
+    assert png_size(tmp_path / "out" / "confidence.png") == (WIDTH - DISPARITIES, HEIGHT)
+    succeed(*match, "--least-confidence", 128, "--speckle-window", 3, "--speckle-range", 2)
+    assert files() == without | {"valid.png"}
+    facts = match_facts(tmp_path)
+    assert facts["postprocessing"] == {"speckle_window_px": 3, "speckle_range_px": 2, "least_confidence": 128}
+    assert facts["density"] < 1, "random images"
+
+
+def test_both_engines_give_one_confidence(tmp_path, match):
+    words = ["--confidence", "--least-confidence", 1]
+    succeed(*match, *words)
+    succeed(*changed(match, "--out", tmp_path / "clocked"), *words, "--engine", "clocked")
+    for name in ("confidence.png", "valid.png", "disparity.png"):
+        assert (tmp_path / "out" / name).read_bytes() == (tmp_path / "clocked" / name).read_bytes()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--speckle-window", -1],
+        ["--speckle-range", 1],
+        ["--speckle-window", 9, "--speckle-range", 257],
+        ["--least-confidence", 256],
+        ["--least-confidence", "half"],
+    ],
+)
+def test_postprocessing_out_of_range(tmp_path, match, words):
+    fail(tmp_path, *match, *words, says=[words[-2] if len(words) > 2 else words[0]])
 
 
 def test_match_on_the_generated_scene_is_mostly_right(tmp_path, match):
@@ -211,7 +297,9 @@ def test_match_on_the_generated_scene_is_mostly_right(tmp_path, match):
 def test_truth_that_does_not_fit(tmp_path, match):
     image = write_image(tmp_path / "t.pgm")
     other = write_image(tmp_path / "other.pgm", WIDTH - 1, HEIGHT)
-    fail(tmp_path, *match, "--truth", image, says=["--visible"])
+    fail(tmp_path, *match, "--truth", other, says=["--truth", other, "31x12", "32x12"])
+    fail(tmp_path, *match, "--truth-scale", 2, says=["--truth"])
+    fail(tmp_path, *match, "--truth", image, "--truth-scale", 0, says=["--truth-scale"])
     fail(tmp_path, *match, "--visible", image, says=["--truth"])
     fail(tmp_path, *match, "--truth", other, "--visible", image, says=["--truth", other, "31x12", "32x12"])
     fail(tmp_path, *match, "--truth", image, "--visible", other, says=["--visible", other, "31x12", "32x12"])

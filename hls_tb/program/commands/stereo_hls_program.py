@@ -61,6 +61,13 @@ def gray_image(path, value, width=WIDTH, height=HEIGHT):
     return path
 
 
+def gray_as_colour(path, value, width=WIDTH, height=HEIGHT):
+    """A PPM file whose three channels are value(x, y)."""
+    pixels = bytes(value(x, y) for y in range(height) for x in range(width) for _ in range(3))
+    path.write_bytes(f"P6\n{width} {height}\n255\n".encode() + pixels)
+    return path
+
+
 def changed(arguments, option, value):
     arguments = list(arguments)
     arguments[arguments.index(option) + 1] = value

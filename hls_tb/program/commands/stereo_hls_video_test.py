@@ -58,6 +58,17 @@ def test_folders_to_a_folder(tmp_path, video, cameras):
     assert (tmp_path / "one" / "frame_000000.png").read_bytes() == (tmp_path / "out" / "frame_000002.png").read_bytes()
 
 
+def test_speckles_and_confidence(tmp_path, video, cameras):
+    def frames(*words):
+        succeed(*video, *cameras, *words)
+        return [p.read_bytes() for p in sorted((tmp_path / "out").iterdir())]
+
+    plain = frames()
+    assert frames("--speckle-window", 1, "--speckle-range", 256) == plain, "no pixel is alone"
+    for words in (["--speckle-window", 400], ["--least-confidence", 255]):
+        assert not set(frames(*words)) & set(plain)
+
+
 def test_endings_in_capitals(tmp_path, video, cameras):
     for camera in ("l", "r"):
         for path in list((tmp_path / camera).iterdir()):

@@ -9,6 +9,7 @@
 #include "program/commands/checks.hpp"
 #include "program/commands/frame_progress.hpp"
 #include "program/commands/named_matching.hpp"
+#include "program/commands/postprocessing_options.hpp"
 #include "program/commands/threads_option.hpp"
 #include "program/commands/timed.hpp"
 #include "program/depth/vertical_offset.hpp"
@@ -28,6 +29,7 @@ struct Arguments {
    std::vector<std::string> settings;
    double frames_per_second = 0;  ///< 0: the input's
    int threads = 1;
+   Postprocessing postprocessing;
 };
 
 PairSource open_pair(const Arguments& arguments) {
@@ -69,10 +71,13 @@ void video(const Arguments& arguments) {
       const ImagePair pair{gray_of_any(frames.left), gray_of_any(frames.right)};
       if (!sink) std::cout << rectification_warning(pair);
       double milliseconds = 0;
-      const DisparityMap map =
-          timed(milliseconds, [&] { return match_named(arguments.config, pair, *algorithm, arguments.threads); });
-      matching_seconds += milliseconds / 1000;
       const MapGeometry geometry = algorithm->map_geometry(pair.left.width);
+      const auto match_once = [&](const ImagePair& images) {
+         return match_named(arguments.config, images, *algorithm, arguments.threads);
+      };
+      const DisparityMap map = timed(
+          milliseconds, [&] { return match_and_process(match_once, pair, geometry, arguments.postprocessing).map; });
+      matching_seconds += milliseconds / 1000;
       const cv::Mat page = beside(geometry.reference == Reference::left ? frames.left : frames.right, map, geometry);
       size = frames.left.size();
       if (!sink) sink = make_frame_sink(arguments.out, rate, page.size());
@@ -100,6 +105,7 @@ void add_video(CLI::App& app) {
        ->required();
    command->add_option("--set", arguments.settings, "NAME=VALUE: another option than the configuration's")
        ->allow_extra_args(false);
+   add_postprocessing_options(*command, arguments.postprocessing, "each map");
    add_threads_option(*command, arguments.threads);
    command->add_option("--frames-per-second", arguments.frames_per_second, "of the result; default: the input's, or 25")
        ->check(check_positive_number)

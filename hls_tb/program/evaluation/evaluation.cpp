@@ -120,7 +120,10 @@ nlohmann::json evaluation_json(const Evaluation& evaluation) {
                          {"reference", word_of(method.reference)},
                          {"parameters", method.parameters},
                          {"milliseconds", known(method.milliseconds)},
-                         {"masks", measures_json(method.masks)}});
+                         {"masks", measures_json(method.masks)},
+                         {"remarks", method.remarks}});
+      if (!method.engine.empty())
+         methods.back().update({{"engine", method.engine}, {"postprocessing", method.postprocessing}});
    }
    return {{"format", "stereo-hls evaluation 1"}, {"left", evaluation.left},
            {"right", evaluation.right},           {"width_px", evaluation.width_px},
@@ -140,6 +143,8 @@ std::string evaluation_text(const Evaluation& evaluation) {
          out << ": no true disparities of its " << word_of(method.reference) << " image that count";
       out << '\n';
    }
+   for (const EvaluatedMethod& method : evaluation.methods)
+      for (const std::string& remark : method.remarks) out << remark << '\n';
    for (const char* const name : kMaskNames) print_mask(out, evaluation, name);
    return out.str();
 }

@@ -34,9 +34,12 @@ struct EvaluatedMethod {
    std::string name;
    std::string kind;  ///< core, opencv or file
    Reference reference = Reference::left;
-   nlohmann::json parameters;
-   double milliseconds = 0;           ///< of the matching alone; NaN for a file
-   std::vector<NamedMeasures> masks;  ///< without those that have no pixels
+   nlohmann::json parameters = {};
+   double milliseconds = 0;                ///< of the matching alone; NaN for a file
+   std::vector<NamedMeasures> masks = {};  ///< without those that have no pixels
+   std::vector<std::string> remarks = {};  ///< on truth that does not fit, as sentences
+   std::string engine = {};                ///< of a core, as the next one
+   nlohmann::json postprocessing = {};
 };
 
 struct Evaluation {

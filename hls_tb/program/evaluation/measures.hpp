@@ -23,6 +23,7 @@ struct Measures {
    int64_t d1 = 0;                                      ///< valid ones off by more than D1 allows
    double error_sum_px = 0, squared_error_sum_px2 = 0;  ///< of the valid ones
 
+   int64_t bad_by_more_than_1_px() const { return bad[1]; }
    double density() const { return ratio(double(valid), pixels); }
    double average_px() const { return ratio(error_sum_px, valid); }
    double rms_px() const { return std::sqrt(ratio(squared_error_sum_px2, valid)); }

@@ -39,7 +39,7 @@ bool is_pfm(const std::string& path) {
 
 /// Throws InputError, without a file name, where a pixel would be no disparity.
 template <class Pixel>
-DisparityImage divided(const cv::Mat& mat, double scale) {
+DisparityImage divided(const cv::Mat& mat, double scale, bool zero_is_known) {
    double largest = 0;
    cv::minMaxLoc(mat, nullptr, &largest);
    if (largest / scale > double(kLargestDisparity))
@@ -47,21 +47,33 @@ DisparityImage divided(const cv::Mat& mat, double scale) {
    DisparityImage image(mat.cols, mat.rows);
    for (int y = 0; y < mat.rows; ++y)
       for (int x = 0; x < mat.cols; ++x)
-         if (const Pixel value = mat.at<Pixel>(y, x); value != 0) image.at(x, y) = float(value / scale);
+         if (const Pixel value = mat.at<Pixel>(y, x); value != 0 || zero_is_known)
+            image.at(x, y) = float(value / scale);
    return image;
 }
 
+/// One channel of a grey image that some tool has stored in colour. Throws InputError where the colours differ.
+cv::Mat one_channel(const cv::Mat& mat) {
+   if (mat.channels() == 1) return mat;
+   std::vector<cv::Mat> channels;
+   cv::split(mat, channels);
+   for (const cv::Mat& channel : {channels.at(1), channels.at(std::min<std::size_t>(2, channels.size() - 1))})
+      if (mat.channels() == 2 || cv::norm(channels[0], channel, cv::NORM_INF) != 0)
+         throw InputError("is a colour image; give disparities as a PFM or a grey image");
+   return channels[0];
+}
+
 /// Of an image. Throws InputError, without a file name.
-DisparityImage disparities_of(const cv::Mat& mat, double scale) {
-   if (mat.channels() != 1) throw InputError("is a colour image; give disparities as a PFM or a grey image");
-   if (mat.depth() == CV_8U) return divided<uint8_t>(mat, scale);
-   if (mat.depth() == CV_16U) return divided<uint16_t>(mat, kKittiScale);
+DisparityImage disparities_of(const cv::Mat& image, double scale, bool zero_is_known) {
+   const cv::Mat mat = one_channel(image);
+   if (mat.depth() == CV_8U) return divided<uint8_t>(mat, scale, zero_is_known);
+   if (mat.depth() == CV_16U) return divided<uint16_t>(mat, kKittiScale, zero_is_known);
    throw InputError("give disparities as a PFM or a grey image of 8 or 16 bits");
 }
 
 }  // namespace
 
-DisparityImage load_disparities(const std::string& option, const std::string& path, double scale) {
+DisparityImage load_disparities(const std::string& option, const std::string& path, double scale, bool zero_is_known) {
    const std::string name = option + " " + path;
    if (std::filesystem::is_regular_file(path) && is_pfm(path)) try {
          return parse_pfm(all_bytes(path));
@@ -70,7 +82,7 @@ DisparityImage load_disparities(const std::string& option, const std::string& pa
       }
    const cv::Mat mat = read_image(path, name);
    try {
-      return disparities_of(mat, scale);
+      return disparities_of(mat, scale, zero_is_known);
    } catch (const InputError& problem) {
       throw InputError(name + ": " + problem.what());
    }

@@ -27,11 +27,12 @@ fs::path OutputFolder::temporary(const std::string& name) const {
    return path_ / ("." + name + ".partial-" + std::to_string(getpid()));
 }
 
-void OutputFolder::add(const std::string& name, const std::string& content) {
+void OutputFolder::add(const std::string& name, const std::string& content, Runs writers) {
    std::error_code ignored;
    if (fs::is_directory(path_ / name, ignored))
       throw InputError((path_ / name).string() + ": is a folder; give another " + option_);
    names_.push_back(name);
+   if (writers == Runs::all) always_.push_back(name);
    partial_.push_back(std::make_unique<PartialFile>(temporary(name)));
    std::ofstream file(temporary(name), std::ios::binary);
    file << content;
@@ -56,7 +57,7 @@ void OutputFolder::leave_out(const std::string& name, const std::vector<std::str
 
 /// Else a file of that name is the user's own.
 bool OutputFolder::holds_earlier_result() const {
-   return std::all_of(names_.begin(), names_.end(), [this](const std::string& name) {
+   return std::all_of(always_.begin(), always_.end(), [this](const std::string& name) {
       std::error_code ignored;
       return fs::exists(path_ / name, ignored);
    });

@@ -22,8 +22,9 @@ class OutputFolder {
    OutputFolder(const OutputFolder&) = delete;
    OutputFolder& operator=(const OutputFolder&) = delete;
 
-   /// Throws InputError when the file cannot be written or replaced.
-   void add(const std::string& name, const std::string& content);
+   enum class Runs { all, some };
+   /// A file that all runs of the command write, or only some. Throws InputError when it cannot be written or replaced.
+   void add(const std::string& name, const std::string& content, Runs writers = Runs::all);
    void add_json(const std::string& name, const nlohmann::json& json);
    /// A file that only other runs of the command write: where `commit` replaces a whole result of an earlier run, it
    /// removes this one too. A file of `inputs` stays, whatever its name.
@@ -41,6 +42,7 @@ class OutputFolder {
    std::string option_;
    MadeFolders made_;
    std::vector<std::string> names_;
+   std::vector<std::string> always_;  ///< of these, what all runs write
    std::vector<std::unique_ptr<PartialFile>> partial_;
    std::vector<std::string> left_out_;
 };

@@ -2,6 +2,7 @@
 """Values of options that several commands have."""
 
 import argparse
+from pathlib import Path
 
 
 def megahertz(text: str) -> float:
@@ -13,3 +14,9 @@ def megahertz(text: str) -> float:
     if not 0.1 <= mhz <= 2000:
         raise argparse.ArgumentTypeError(f"'{text}' is no number from 0.1 to 2000")
     return mhz
+
+
+def a_path(text: str) -> Path:
+    if not text:  # else it would be the current folder
+        raise argparse.ArgumentTypeError("must not be empty")
+    return Path(text)

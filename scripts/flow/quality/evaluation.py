@@ -29,6 +29,7 @@ class Method(TypedDict):
     parameters: Parameters
     milliseconds: float
     masks: dict[str, Measures]
+    remarks: list[str]  # on truth that does not fit
 
 
 def evaluate(*words: Word) -> list[Method]:

@@ -16,11 +16,12 @@ from typing import Any
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from ..base import files
-from ..base.configurations import configuration, option
+from ..base.configurations import configuration, configurations, option
 from ..base.errors import FlowError
 from ..base.tools import Word
-from . import evaluation, hardware_cost
+from . import evaluation, given_truth, hardware_cost
 from .evaluation import Method
+from .kept import Kept
 
 FORMAT = "stereo-hls exploration 1"
 PROGRAM = "build/release/stereo_hls"
@@ -73,7 +74,7 @@ class Choice:
     disparities: int
     switches: tuple[str, ...]
     settings: tuple[str, ...]  # ("NAME=VALUE", ...)
-    config: str = hardware_cost.BASE  # another one is tried as it is, but for the disparities
+    config: str = hardware_cost.BASE  # another one is tried as it is, but for the disparities and the reference
 
     @property
     def title(self) -> str:
@@ -87,8 +88,14 @@ class Choice:
 Row = dict[str, Any]
 
 
-def choices(sweep: Sweep, family: hardware_cost.Study) -> tuple[list[Choice], int]:
-    """(choices, how many combinations were left out because no core has them)"""
+def choices(
+    sweep: Sweep, family: hardware_cost.Study, known: tuple[str, ...] = given_truth.SIDES
+) -> tuple[list[Choice], int]:
+    """(choices, how many combinations were left out because no core has them). known: the images with truth, one of
+    which is the reference."""
+    if "left" in sweep.switches and len(known) < len(given_truth.SIDES):
+        raise FlowError("--switch left: tries both references and so needs the truth of both images of every pair")
+    turned = given_truth.reference_setting(configuration(hardware_cost.BASE), known) or {}
     found, refused = [], 0
     switch_sets = [
         tuple(s for s, on in zip(sweep.switches, flags) if on)
@@ -98,7 +105,7 @@ def choices(sweep: Sweep, family: hardware_cost.Study) -> tuple[list[Choice], in
         if not _is_possible(cost, switches):
             refused += 1
             continue
-        options: dict[str, object] = {}
+        options = dict(turned)
         for name in (COSTS[cost], *(SWITCHES[switch] for switch in switches)):
             options |= family.options_of(name)
         options |= {"window_px": window, "disparities": disparities}
@@ -107,14 +114,23 @@ def choices(sweep: Sweep, family: hardware_cost.Study) -> tuple[list[Choice], in
     return found, refused
 
 
-def named_choices(names: Iterable[str], ranges: Iterable[int]) -> list[Choice]:
-    """Configurations as they are, of any family, for each range."""
-    return [
-        Choice(option(row, "window_px") or 1, row["family"], disparities, (), (f"disparities={disparities}",), name)
-        for disparities in ranges
-        for name in names
-        for row in (configuration(name),)
-    ]
+def named_choices(
+    names: Iterable[str], ranges: Iterable[int], known: tuple[str, ...] = given_truth.SIDES
+) -> tuple[list[Choice], list[str]]:
+    """(configurations of any family, for each range; the names of those whose reference has no truth). All else is as
+    it is."""
+    found, left_out = [], []
+    table = configurations()
+    for name in names:
+        row = configuration(name, table)
+        turned = given_truth.reference_setting(row, known)
+        if turned is None:
+            left_out.append(name)
+            continue
+        for disparities in ranges:
+            settings = tuple(f"{key}={value}" for key, value in {"disparities": disparities, **turned}.items())
+            found.append(Choice(option(row, "window_px") or 1, row["family"], disparities, (), settings, name))
+    return found, left_out
 
 
 def _is_possible(cost: str, switches: tuple[str, ...]) -> bool:
@@ -144,26 +160,45 @@ def command(pair: Pair, choice: Choice) -> str:
     return shlex.join(str(word) for word in (PROGRAM, "evaluate", *words(pair, choice)))
 
 
-def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int) -> list[list[Method]]:
+def evaluate(pairs: Sequence[Pair], all_choices: Sequence[Choice], jobs: int, kept: Kept) -> list[list[Method]]:
     """[[method of each pair] of each choice]. Every evaluation is a process of its own with one thread, `jobs` at a
-    time."""
-    results: dict[tuple[int, int], Method] = {}
+    time; those that are kept from before are not made again."""
+    calls = {(i, j): words(pair, choice) for i, choice in enumerate(all_choices) for j, pair in enumerate(pairs)}
+    results = {place: method for place, call in calls.items() if (method := kept.find(call))}
+    if results:
+        print(f"{len(results)} of {len(calls)} evaluations are in {kept.path} from before")
     columns = (TextColumn("evaluating"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns) as bar, ThreadPoolExecutor(jobs) as pool:
-        task = bar.add_task("", total=len(all_choices) * len(pairs))
+        task = bar.add_task("", total=len(calls), completed=len(results))
         futures = {
-            pool.submit(evaluation.evaluate, *words(pair, choice), "--threads", 1): (i, j)
-            for i, choice in enumerate(all_choices)
-            for j, pair in enumerate(pairs)
+            pool.submit(evaluation.evaluate, *call, "--threads", 1): place
+            for place, call in calls.items()
+            if place not in results
         }
         try:
             for future in as_completed(futures):
-                results[futures[future]] = future.result()[0]
+                place = futures[future]
+                method = future.result()[0]
+                kept.add(calls[place], method)
+                results[place] = method
                 bar.advance(task)
         except BaseException:
             pool.shutdown(cancel_futures=True)
+            bar.stop()
+            if results:
+                print(f"{len(results)} of {len(calls)} evaluations are in {kept.path}; the next run goes on from there")
             raise
     return [[results[i, j] for j in range(len(pairs))] for i in range(len(all_choices))]
+
+
+def remarks(pairs: Sequence[Pair], methods: Sequence[Sequence[Method]]) -> list[str]:
+    """One for each pair whose truth fits badly, as with a wrong scale."""
+    found = []
+    for place, pair in enumerate(pairs):
+        of_pair = [text for of_choice in methods for text in of_choice[place].get("remarks", ())]
+        if of_pair:
+            found.append(f"{pair.name}: {of_pair[0]} ({len(of_pair)} of {len(methods)} choices say so)")
+    return found
 
 
 def _mean(values: Iterable[float | None], scale: float = 1) -> float | None:
@@ -187,13 +222,15 @@ def rows(
     """One row of numbers for each choice: quality as the mean over the pairs, and cost."""
     table = []
     for choice, of_pairs in zip(all_choices, methods):
-        masks = [method["masks"][mask] for method in of_pairs if mask in method["masks"]]
-        if len(masks) != len(pairs):
-            raise FlowError(f"a pair has no pixels in the region '{mask}'; non_occluded needs the truth of both images")
+        empty = [pair.name for pair, method in zip(pairs, of_pairs) if mask not in method["masks"]]
+        if empty:
+            raise FlowError(f"{empty[0]}: has no pixels in the region '{mask}' for {choice.title}; give another --mask")
+        masks = [method["masks"][mask] for method in of_pairs]
         if choice.config == hardware_cost.BASE:
             cost = family.cost(of_pairs[0]["parameters"])
         else:
-            cost = hardware_cost.of_configuration(choice.config, choice.disparities)
+            as_it_is = len(choice.settings) == 1  # but for the disparities
+            cost = hardware_cost.of_configuration(choice.config, choice.disparities, as_it_is)
         row: Row = {
             "title": choice.title,
             "window": choice.window,

@@ -7,17 +7,26 @@ from collections.abc import Callable
 from rich.table import Table
 
 from ..base.markdown import number
-from ..rendering import plots
+from ..rendering import labels, plots
 from . import explore, hardware_cost
 from .explore import Row
 
 _COLORS = {"sad": "#1f5fa8", "ssd": "#c05a00", "census": "#2b7a3d"}
 _OTHER_COLOR = "#8a2be2"  # of other families
 ABSENT_SHOWN = 5
+_ABSENT_PLACE = 0.985  # of the panel's width
 
 
 def draw(table: list[Row], key: str, title: str, luts_title: Callable[[int], str]) -> bytes:
     """PNG: one panel for each range."""
+    figure = panels(table, key, title, luts_title)
+    data = io.BytesIO()
+    figure.savefig(data, format="png")
+    plots.pyplot().close(figure)
+    return data.getvalue()
+
+
+def panels(table: list[Row], key: str, title: str, luts_title: Callable[[int], str]) -> plots.Figure:
     pyplot = plots.pyplot()
     ranges = sorted({row["disparities"] for row in table})
     figure, axes = pyplot.subplots(
@@ -30,10 +39,10 @@ def draw(table: list[Row], key: str, title: str, luts_title: Callable[[int], str
         axis.set_ylabel(title)
         axis.set_title(f"{disparities} disparities", loc="left", fontsize=11)
         axis.legend(fontsize=8, frameon=True)
-    data = io.BytesIO()
-    figure.savefig(data, format="png")
-    pyplot.close(figure)
-    return data.getvalue()
+    figure.draw_without_rendering()  # makes the layout, in which the names find their places
+    for axis, disparities in zip(axes[:, 0], ranges):
+        _name_front(axis, table, key, disparities)
+    return figure
 
 
 def _points(axis: plots.Axis, table: list[Row], key: str, disparities: int) -> None:
@@ -43,11 +52,10 @@ def _points(axis: plots.Axis, table: list[Row], key: str, disparities: int) -> N
     members = explore.front(table, disparities)
     luts, values = [row["luts"] for row in members], [row[key] for row in members]
     axis.step(luts, values, where="post", color="#777777", linewidth=1, zorder=2)
-    _annotate(axis, members, key)
     absent = [row[key] for row in rows if row["luts"] is None]
     if absent:
         axis.plot(
-            [0.985] * len(absent),
+            [_ABSENT_PLACE] * len(absent),
             absent,
             marker="_",
             linestyle="none",
@@ -79,18 +87,17 @@ def _scatter(axis: plots.Axis, rows: list[Row], key: str) -> None:
                 )
 
 
-def _annotate(axis: plots.Axis, members: list[Row], key: str) -> None:
-    """Names of the points of the front, stepping upwards to the right so that they do not cover each other."""
-    for place, row in enumerate(members):
-        axis.annotate(
-            row["title"].replace("left_right", "L/R").replace(" left", " left ref."),
-            (row["luts"], row[key]),
-            textcoords="offset points",
-            xytext=(8, 8 + 9 * (place % 2)),
-            fontsize=8,
-            color="#333333",
-            zorder=4,
-        )
+def _name_front(axis: plots.Axis, table: list[Row], key: str, disparities: int) -> None:
+    """Names at the points of the front, clear of each other, of all points and of the legend."""
+    rows = [row for row in table if row["disparities"] == disparities and row[key] is not None]
+    shown = axis.transData.transform([(row["luts"], row[key]) for row in rows if row["luts"] is not None] or [(0, 1)])
+    border = axis.get_yaxis_transform()
+    shown = [*shown, *(border.transform((_ABSENT_PLACE, row[key])) for row in rows if row["luts"] is None)]
+    names = [
+        (row["title"].replace("left_right", "L/R").replace(" left", " left ref."), (row["luts"], row[key]))
+        for row in explore.front(table, disparities)
+    ]
+    labels.place(axis, names, [(x, y) for x, y in shown])
 
 
 def _frame(axis: plots.Axis) -> None:

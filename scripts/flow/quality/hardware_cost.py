@@ -196,15 +196,16 @@ class Study:
         )
 
 
-def of_configuration(name: str, disparities: int) -> Cost:
-    """What a committed configuration takes, in proportion to its disparities for another number of them."""
+def of_configuration(name: str, disparities: int, as_it_is: bool = True) -> Cost:
+    """What a committed configuration takes, in proportion to its disparities for another number of them. not as_it_is:
+    with the other image as reference, which costs about the same."""
     if name not in rtl.known_configurations():
         return Cost(ABSENT, None, (), (name,))
     known = Configuration(name, stale_is_none=True)
     if TARGET not in known.targets:
         return Cost(ABSENT, None, (), (name,))
     luts, own = figures.lut_count(known.targets[TARGET]), known.parameters["disparities"]
-    if disparities == own:
+    if disparities == own and as_it_is:
         return Cost(MEASURED, luts, (name,))
     return Cost(ESTIMATE, round(luts * disparities / own), (name,))
 

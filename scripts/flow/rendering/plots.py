@@ -8,6 +8,7 @@ from typing import Any
 from ..base.errors import EXIT_MISSING_TOOL, FlowError
 
 Axis = Any  # of matplotlib, which has no types
+Figure = Any
 
 
 def pyplot() -> Any:

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the program does with a map after the matching, on request. There is no hardware for it.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "definition/disparity_map.hpp"
+#include "definition/gray_image.hpp"
+#include "definition/map_geometry.hpp"
+
+namespace stereo::app {
+
+struct Postprocessing {
+   int speckle_window_px = 0;  ///< largest speckle that is removed; 0: off
+   int speckle_range_px = 1;
+   int least_confidence = 0;       ///< pixels with less become invalid; 0: off
+   bool wants_confidence = false;  ///< even if nothing else needs it
+
+   /// Pixels can become invalid.
+   bool rejects() const { return speckle_window_px > 0 || least_confidence > 0; }
+   bool needs_confidence() const { return wants_confidence || least_confidence > 0; }
+};
+
+nlohmann::json postprocessing_json(const Postprocessing& options);
+
+struct ProcessedMap {
+   DisparityMap map;
+   std::optional<GrayImage> confidence;  ///< of each pixel of the map, where it was needed
+};
+
+/// Matches and does what was asked for: first the confidence, then the speckles. Confidence takes a second matching.
+ProcessedMap match_and_process(const std::function<DisparityMap(const ImagePair&)>& match, const ImagePair& pair,
+                               const MapGeometry& geometry, const Postprocessing& options);
+
+}  // namespace stereo::app

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Evaluations that are done, one a line: a study that breaks off, or the next one over the same pairs, goes on from
+them."""
+
+import hashlib
+import json
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path
+from typing import cast
+
+from ..base.errors import FlowError
+from ..base.tools import Word, find_stereo_hls
+from .evaluation import Method
+
+
+@cache
+def _digest(path: str) -> str:
+    try:
+        return hashlib.sha256(Path(path).read_bytes()).hexdigest()
+    except OSError as error:
+        raise FlowError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def key(words: Iterable[Word]) -> str:
+    """Stands for a call of `stereo_hls evaluate`: the program, its words, and what is in the files among them."""
+    parts = [
+        _digest(find_stereo_hls()),
+        *(_digest(str(word)) if isinstance(word, Path) else str(word) for word in words),
+    ]
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()
+
+
+class Kept:
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self._methods: dict[str, Method] = {}
+        for line in path.read_text(errors="replace").splitlines() if path.is_file() else ():
+            try:
+                entry = json.loads(line)
+                self._methods[entry["key"]] = cast(Method, entry["method"])
+            except (ValueError, KeyError, TypeError):
+                pass  # broken off in the middle: it is evaluated again
+
+    def find(self, words: Iterable[Word]) -> Method | None:
+        return self._methods.get(key(words))
+
+    def add(self, words: Iterable[Word], method: Method) -> None:
+        # The line begins with its end: what was broken off before does not spoil it.
+        line = "\n" + json.dumps({"key": key(words), "method": method}) + "\n"
+        try:
+            with self.path.open("a") as file:
+                file.write(line)
+        except OSError as error:
+            if self.path.is_file() and self.path.stat().st_size == 0:
+                self.path.unlink()  # on a full disk
+            raise FlowError(f"cannot write {self.path}: {error.strerror}") from None
