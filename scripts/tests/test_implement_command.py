@@ -227,6 +227,17 @@ def test_failing_tools(build, tools, stand_in, words):
     assert not (build / TINY / "implementation.json").exists()
 
 
+def test_a_device_that_is_too_small_is_a_result(build, tools):
+    log = "Info:  DP16KD:     209/    208   100%\nInfo:  DCCA:   1/  56   1%\nERROR: Unable to place cell"
+    body = f"case \"$*\" in --version) echo '(Version nextpnr-0.0)' >&2;; *) echo '{log}' >&2; exit 125;; esac"
+    process = run_tiny(tools, "--target", "ecp5", nextpnr=body)
+    assert process.returncode == 0, process.stderr
+    assert "does not fit on LFE5U-85F-8BG756: 209 of 208 block RAMs" in process.stdout
+    result = results(build)["targets"]["ecp5"]
+    assert result["does_not_fit"] == {"DP16KD": {"used": 209, "available": 208}}
+    assert "fmax_mhz" not in result and result["luts"] > 0
+
+
 def test_offline_without_nextpnr(build, tools):
     """pip that reaches no index: one sentence, and the next try starts anew."""
     environment = {**stand_ins.environment(tools), "NEXTPNR_ECP5": "", "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": ""}

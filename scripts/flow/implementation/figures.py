@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a configuration does in a clock and in a second."""
 
+from collections.abc import Mapping
 from typing import TypedDict
 
 from ..base.configurations import Parameters, Size
-from .record import Area
+from .record import Area, Fill
+
+_CELLS = {"DP16KD": "block RAMs", "TRELLIS_COMB": "LUT sites", "TRELLIS_FF": "flip-flops"}  # of ECP5
 
 
 class Speed(TypedDict):
@@ -49,6 +52,11 @@ def counted(seeds: int, router: str | None = None) -> str:
     """What a clock of so many seeds is. nextpnr's usual router is not named."""
     of = "one seed" if seeds == 1 else f"median of {seeds}"
     return of if router in (None, "router1") else f"{of}, {router}"
+
+
+def overfull(cells: Mapping[str, Fill]) -> str:
+    """The figures that show that a device is too small."""
+    return ", ".join(f"{fill['used']} of {fill['available']} {_CELLS.get(cell, cell)}" for cell, fill in cells.items())
 
 
 def lut_count(area: Area) -> int:

@@ -99,14 +99,19 @@ def implement_target(
         work = netlist.work / target.name
         work.mkdir()
         reports = {}
-        for seed in seeds:
-            stage(f"nextpnr, seed {seed}")
-            reports[seed] = nextpnr.route(
-                tool, target.device_options, seed, netlist.work / "netlist.json", work, job.router
-            )
+        result["device"] = target.device
+        try:
+            for seed in seeds:
+                stage(f"nextpnr, seed {seed}")
+                reports[seed] = nextpnr.route(
+                    tool, target.device_options, seed, netlist.work / "netlist.json", work, job.router
+                )
+        except nextpnr.DoesNotFitError as error:
+            result["does_not_fit"] = error.cells
+        else:
+            routed = nextpnr.clocks(reports, netlist.names)
+            result |= {"target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
         tools["nextpnr"] = nextpnr.version(tool, work)
-        routed = nextpnr.clocks(reports, netlist.names)
-        result |= {"device": target.device, "target_mhz": nextpnr.FREQUENCY_MHZ, "router": job.router, **routed}
     progress.update(task, description=f"{job.entity} {target.name}: done", completed=2 + len(seeds))
     return result, netlist.lost
 
@@ -141,6 +146,8 @@ def summary(entity: str, target: str, parameters: Parameters, result: record.Res
         f"  {figures.clocks_per_frame(parameters)} clocks a frame, "
         f"{figures.evaluations_per_clock(parameters):g} disparity evaluations a clock",
     ]
+    if "does_not_fit" in result:
+        text.append(f"  does not fit on {result['device']}: {figures.overfull(result['does_not_fit'])}")
     if "fmax_mhz" in result:
         fmax, path = result["fmax_mhz"], result["critical_path"]
         seeds = ", ".join(f"{seed}: {mhz}" for seed, mhz in fmax["by_seed"].items())

