@@ -5,7 +5,9 @@ import pytest
 
 from flow.base import rtl
 from flow.implementation import figures, record
+from flow.implementation.results import Configuration
 from flow.implementation.targets import FAMILIES
+from flow.pages.published import SYSTEMS
 from flow.synthesis import manifest
 from flow_commands import call
 
@@ -25,9 +27,10 @@ def committed(name, target=None):
 
 
 def test_what_the_repository_says_of_itself_is_implemented():
-    """The paper's core and the small ones on each target; each option of the study on the routed one."""
+    """The paper's core and the small ones on each target; each option of the study and each system on the routed
+    one."""
     wanted = {(name, family) for name in manifest.with_use("paper", "tiny") for family in FAMILIES}
-    wanted |= {(name, "ecp5") for name in manifest.with_use("study")}
+    wanted |= {(name, "ecp5") for name in manifest.with_use("study", "system")}
     assert {(name, target) for name, target in wanted if not has(name, target)} == NOT_ROUTED
 
 
@@ -77,6 +80,21 @@ def test_routed_clock(name):
     result = committed(name, "ecp5")
     assert len(result["seeds"]) >= (3 if name == "ambrosch2007" else 1)
     assert result["fmax_mhz"]["median"] >= LEAST_MHZ[name]
+
+
+def test_published_frame_rates_are_reached():
+    """By every system of the paper's table whose VHDL is here and fits the device."""
+    reached = {}
+    for system in SYSTEMS:
+        name = system.configuration
+        if name not in rtl.known_configurations() or not system.frames_per_second:
+            continue
+        clock = Configuration(name).clock()
+        assert clock or "does_not_fit" in committed(name, "ecp5"), name
+        if clock:
+            reached[name] = clock["frames_per_second"] / system.frames_per_second
+    assert len(reached) >= 8
+    assert min(reached.values()) > 1, reached
 
 
 @pytest.mark.parametrize(
