@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Proofs that a fault changes nothing that can be seen from outside.
 
-The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal in
-both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by itself
-(property directed reachability: pdr).
+The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
+in both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by
+itself (property directed reachability: pdr).
 
-Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input is
-free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid bit
-while it is '1'. The shell is proved for any core: what it gives the core is an output, what the core answers is an input."""
+Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
+is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
+bit while it is '1'. The shell is proved for any core: what it gives the core is an output, what the core answers is an
+input."""
 
 import re
 import threading
@@ -19,7 +20,7 @@ from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..shell import template
 from ..synthesis import manifest
 
-SECONDS = 120  # for what is left after the merging of registers
+SECONDS = 30  # for what is left after the merging of registers
 VALID = {  # bit: the outputs that say something while it is '1'
     "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
     "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
@@ -80,7 +81,7 @@ def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Pa
 
 
 def compare(original: Path, changed: Path, work: Path) -> str:
-    """"" when both graphs show the same for ever; else in which clock they differ, or that the proof came to no end."""
+    """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
     commands = f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}"
     said = aiger.ask(commands, work)
     if "Property proved" in said:

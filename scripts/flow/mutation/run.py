@@ -85,7 +85,8 @@ class Run:
         self.core_files = manifest.core_files(config)
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
         short, thorough = shell_stages(config)
-        self.short = {True: Core(config), False: Shell(config, short)}  # for mutants of the core, of the shell
+        # Each for mutants of the core and for those of the shell.
+        self.short: dict[bool, Core | Shell] = {True: Core(config), False: Shell(config, short)}
         self.thorough = {True: Shell(config, core_stages(config)), False: Shell(config, thorough)}
         variants = {(stage.config, *stage.generics.items()): stage for stage in (*short, *thorough)}
         of_the_shell = [Design(stage.config, False, stage.generics) for stage in variants.values()]
@@ -99,7 +100,7 @@ class Run:
         self.lock = threading.Lock()
 
     def judge(self, mutant: mutants.Mutant, is_core: bool, number: int) -> Verdict:
-        folder = WORK / "mutants" / f"{'core' if is_core else 'shell'}_{number}"
+        folder = WORK / "mutants" / f"{self.config}_{'core' if is_core else 'shell'}_{number}"
         shutil.rmtree(folder, ignore_errors=True)
         changed = mutants.write(mutant, folder / "rtl")
         core, shell = (
