@@ -32,14 +32,17 @@ CONFIG_OF_SHORT_FRAMES = "tiny_all_p4"  # shorter than their way through the cor
 _GAPS = ("full_speed", "gaps_of_all_lengths", "mixture")
 
 
-def shell_stages(config: str) -> list[Selection]:
+def shell_stages(config: str) -> tuple[list[Selection], list[Selection]]:
+    """(those that notice most faults, those that take long)"""
     row = configuration(config)
     latency, least = row["latency_clocks"], max(row["flush_groups"], row["gap_groups"])
     longer = {"gap_groups": least + 8, "flush_groups": least + 28}
-    return [
+    short = [
         Selection(config, "test_stereo_ip", ("full_speed", "stalls_30_30")),
         Selection(config, "test_registers"),
         Selection(config, "test_stereo_ip"),
+    ]
+    return short, [
         Selection(config, "test_stereo_ip", _GAPS, {"gap_groups": least + 1}),
         Selection(config, "test_stereo_ip", _GAPS, longer),
         Selection(config, "test_generics", ("wrong_latency",), {"latency_clocks": latency - 1}),
@@ -51,7 +54,7 @@ def shell_stages(config: str) -> list[Selection]:
 
 def core_stages(config: str) -> list[Selection]:
     """What the co-simulation of the core alone does not do: what the shell makes of breaks and resets."""
-    longer = next(stage for stage in shell_stages(config) if "flush_groups" in stage.generics)
+    longer = next(stage for stage in shell_stages(config)[1] if "flush_groups" in stage.generics)
     return [
         longer._replace(tests=("full_speed",)),
         Selection(config, "test_stereo_ip", ("reset_at_any_clock", "gaps_of_all_lengths", "mixture")),
@@ -105,9 +108,9 @@ class Core:
         expected, _ = vectors.read_expected(folder / "expected.txt")
         return _Cosimulation(stimulus, len(vectors.read_stimulus(stimulus)), expected)
 
-    def noticed(self, files: Iterable[Path], folder: Path) -> str:
+    def noticed(self, core: list[Path], shell: list[Path], folder: Path) -> str:
         lanes, bits = self.parameters["pixels_per_clock"], self.parameters["disparity_bits"]
-        simulator = Ghdl(self.config, files, folder / "core", lanes, bits)
+        simulator = Ghdl(self.config, core, folder / "core", lanes, bits)
         simulator.build()
         for number, (stimulus, clocks, expected) in enumerate(self.runs):
             observed_path = folder / "observed.txt"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Mutation run: do the tests notice single faults in the VHDL? Each mutant goes through stages of tests, cheap ones
-first, until one of them fails."""
+first, until one of them fails. What passes the cheap ones may be no fault at all: a proof of that ends the tests."""
 
 import hashlib
 import json
@@ -13,23 +13,22 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from ..base import ghdl
+from ..base import aiger, ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
 from ..base.tools import ROOT, Say
 from ..cosim import checker, simulators, vectors
 from ..shell import broken, cocotb_runs, contract, design, formal, pool, script
 from ..synthesis import manifest
-from . import judges, mutants
+from . import equivalence, judges, mutants
+from .equivalence import Design, Prover
 from .judges import CONFIG_OF_SHORT_FRAMES, WORK, Core, Shell, compiles, core_stages, refuted, shell_stages
-
-EXPLANATIONS = ROOT / "hls_tb" / "mutation" / "equivalent.json"
 
 
 @dataclass
 class Verdict:
     mutant: mutants.Mutant
-    outcome: str  # killed, survived, or invalid: it does not compile
-    by: str = ""  # what noticed it
+    outcome: str  # killed, equivalent, survived, or invalid: it does not compile
+    by: str = ""  # what noticed it; of a survivor why it may show
     seconds: float = 0.0
 
     def entry(self) -> dict[str, Any]:
@@ -56,7 +55,7 @@ class EarlierVerdicts:
     @staticmethod
     def _sources(config: str) -> list[Path]:
         """Everything that decides a verdict."""
-        modules = (broken, checker, cocotb_runs, contract, formal, ghdl, judges, mutants, pool, script)
+        modules = (aiger, broken, checker, cocotb_runs, contract, equivalence, formal, ghdl, judges, mutants)
         benches = sorted((ROOT / "hls_tb" / "shell").glob("*.py"))
         return [
             *manifest.core_files(config),
@@ -64,7 +63,7 @@ class EarlierVerdicts:
             *manifest.core_files(CONFIG_OF_SHORT_FRAMES),
             *(path for path in benches if path.name != "diagrams.py"),
             *sorted((ROOT / "hls_tb" / "formal").iterdir()),
-            *(Path(str(module.__file__)) for module in (*modules, simulators, vectors)),
+            *(Path(str(module.__file__)) for module in (*modules, pool, script, simulators, vectors)),
             Path(__file__),
         ]
 
@@ -85,16 +84,23 @@ class Run:
     ) -> None:
         self.core_files = manifest.core_files(config)
         self.seed, self.counts, self.jobs, self.say = seed, (core_count, shell_count), jobs, say
-        self.core, self.shell = Core(config), Shell(config, shell_stages(config))
-        self.core_in_shell = Shell(config, core_stages(config))
-        self.explanations: dict[str, str] = json.loads(EXPLANATIONS.read_text())
-        self.earlier = EarlierVerdicts(config)
+        short, thorough = shell_stages(config)
+        # Each for mutants of the core and for those of the shell.
+        self.short: dict[bool, Core | Shell] = {True: Core(config), False: Shell(config, short)}
+        self.thorough = {True: Shell(config, core_stages(config)), False: Shell(config, thorough)}
+        variants = {(stage.config, *stage.generics.items()): stage for stage in (*short, *thorough)}
+        of_the_shell = [Design(stage.config, False, stage.generics) for stage in variants.values()]
+        self.provers = {
+            is_core: Prover(designs, self.core_files, design.shell_files(), WORK / f"originals_{config}_{is_core}")
+            for is_core, designs in ((True, [Design(config, True)]), (False, of_the_shell))
+        }
+        self.config, self.earlier, self.began = config, EarlierVerdicts(config), time.monotonic()
         self.verdicts: list[Verdict] = []
         self.number, self.started = 0, {True: 0, False: 0}  # of mutants, of those of the core and of the shell
         self.lock = threading.Lock()
 
     def judge(self, mutant: mutants.Mutant, is_core: bool, number: int) -> Verdict:
-        folder = WORK / "mutants" / f"{'core' if is_core else 'shell'}_{number}"
+        folder = WORK / "mutants" / f"{self.config}_{'core' if is_core else 'shell'}_{number}"
         shutil.rmtree(folder, ignore_errors=True)
         changed = mutants.write(mutant, folder / "rtl")
         core, shell = (
@@ -105,13 +111,12 @@ class Run:
         started = time.monotonic()
         if not compiles([*core, *shell], folder / "compile"):
             return Verdict(mutant, "invalid")
-        by = refuted(mutant, folder)
-        if is_core:
-            by = by or self.core.noticed(core, folder) or self.core_in_shell.noticed(core, shell, folder)
-        else:
-            by = by or self.shell.noticed(core, shell, folder)
+        by = refuted(mutant, folder) or self.short[is_core].noticed(core, shell, folder)
+        objection = by or self.provers[is_core].objection(core, shell, folder)
+        by = by or (self.thorough[is_core].noticed(core, shell, folder) if objection else "")
+        outcome = "killed" if by else "survived" if objection else "equivalent"
         shutil.rmtree(folder, ignore_errors=True)
-        return Verdict(mutant, "killed" if by else "survived", by, time.monotonic() - started)
+        return Verdict(mutant, outcome, objection if outcome == "survived" else by, time.monotonic() - started)
 
     def _next(self, stream: Iterator[mutants.Mutant], is_core: bool, count: int) -> None:
         """Judges mutants from a stream until `count` of them compiled; runs in several threads."""
@@ -135,11 +140,14 @@ class Run:
                     self.started[is_core] -= 1
                     continue
                 self.verdicts.append(verdict)
-                if verdict.outcome == "survived":
-                    known = " (explained as equivalent)" if mutant.key in self.explanations else ""
-                    self.say(f"survived{known}: {mutant.key}")
-                elif len(self.verdicts) % 10 == 0:
-                    self.say(f"{len(self.verdicts)} mutants ...")
+                self._show(verdict)
+
+    def _show(self, verdict: Verdict) -> None:
+        if verdict.outcome != "killed":
+            reason = f" ({verdict.by})" if verdict.by else ""
+            self.say(f"{verdict.outcome}{reason}: {verdict.mutant.key}")
+        if len(self.verdicts) % 10 == 0:
+            self.say(f"{len(self.verdicts)} of {sum(self.counts)} mutants, {time.monotonic() - self.began:.0f} s ...")
 
     def run(self) -> "Run":
         for is_core, files, count in (
@@ -152,35 +160,35 @@ class Run:
                     future.result()
         return self
 
-    def report(self, out: Path) -> tuple[float, list[str]]:
-        """Writes report.json, prints the summary; returns (score in percent, survivors without explanation)."""
+    def report(self, out: Path) -> float:
+        """Writes report.json, prints the summary; returns the score, what is killed or equivalent, in percent."""
         if not self.verdicts:
             raise FlowError("no mutant compiled", EXIT_TOOL_FAILED)
-        survived = [v.mutant.key for v in self.verdicts if v.outcome == "survived"]
-        killed = [v.mutant.key for v in self.verdicts if v.outcome == "killed"]
-        open_ones = sorted(key for key in survived if key not in self.explanations)
-        wrong = sorted(key for key in killed if key in self.explanations)
-        equivalent = len(survived) - len(open_ones)
-        counted = len(killed) + len(open_ones)
-        score = 100 * len(killed) / counted if counted else 0.0
-        kinds = [v.mutant.kind for v in self.verdicts]
+        keys = {
+            outcome: [verdict.mutant.key for verdict in self.verdicts if verdict.outcome == outcome]
+            for outcome in ("killed", "equivalent", "survived")
+        }
+        killed, equivalent, survived = (len(found) for found in keys.values())
+        score = 100 * (killed + equivalent) / len(self.verdicts)
+        seconds = time.monotonic() - self.began
+        kinds = [verdict.mutant.kind for verdict in self.verdicts]
         result = {
+            "config": self.config,
             "seed": self.seed,
             "mutants": len(self.verdicts),
-            "killed": len(killed),
+            "killed": killed,
             "equivalent": equivalent,
-            "survivors": open_ones,
-            "explained_but_killed": wrong,
+            "survivors": sorted(keys["survived"]),
             "score_percent": round(score, 2),
+            "seconds": round(seconds, 1),
             "kinds": {kind: kinds.count(kind) for kind in sorted(set(kinds))},
             "verdicts": [verdict.entry() for verdict in self.verdicts],
         }
         out.mkdir(parents=True, exist_ok=True)
         (out / "report.json").write_text(json.dumps(result, indent=2) + "\n")
-        for key in wrong:
-            self.say(f"explained as equivalent, but killed: {key}")
         self.say(
-            f"{len(self.verdicts)} mutants, {len(killed)} killed, {equivalent} equivalent, {len(open_ones)} survived: "
-            f"score {score:.2f} %; seed {self.seed}; {out / 'report.json'}"
+            f"{self.config}, seed {self.seed}: {len(self.verdicts)} mutants, {killed} killed, "
+            f"{equivalent} proved equivalent, {survived} survived: score {score:.2f} %, {seconds:.0f} s; "
+            f"{out / 'report.json'}"
         )
-        return score, open_ones + wrong
+        return score

@@ -6,9 +6,9 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..base import ghdl
+from ..base import aiger, ghdl
 from ..base.errors import EXIT_TOOL_FAILED, FlowError
-from ..base.tools import ROOT, find_tool, find_yosys, run
+from ..base.tools import ROOT
 from .design import RTL
 
 HARNESSES = ROOT / "hls_tb" / "formal"
@@ -39,23 +39,13 @@ PROOFS = (
 )
 
 
-def find_abc() -> str:
-    return find_tool("yosys-abc", "YOSYS_ABC", "on Debian: apt-get install yosys")
-
-
 def prove(proof: Proof, work: Path, rtl: Path = RTL) -> tuple[str, str]:
     """("proved", "") or ("refuted", in which clock). The block is taken from the folder `rtl`."""
     top = f"prove_{proof.block}"
     work.mkdir(parents=True, exist_ok=True)
     files = [rtl / f"{proof.block}.vhd", HARNESSES / "reference_queue.vhd", HARNESSES / f"{top}.vhd"]
-    (work / "design.v").write_text(ghdl.to_verilog(files, work, top, proof.generics))
-    script = (
-        f"read_verilog design.v; prep -flatten -top {top}; memory_map; setundef -undriven -zero; opt -full; "
-        "techmap; opt; dffunmap; simplemap; aigmap; opt_clean; write_aiger -zinit design.aig"
-    )
-    run([find_yosys(), "-p", script], cwd=work, log=work / "yosys.log")
-    run([find_abc(), "-c", "read_aiger design.aig; strash; pdr"], cwd=work, log=work / "abc.log")
-    said = (work / "abc.log").read_text()
+    aiger.write(ghdl.to_verilog(files, work, top, proof.generics), top, work)
+    said = aiger.ask("read_aiger design.aig; strash; pdr", work)
     if "Property proved" in said:
         return "proved", ""
     refuted = re.search(r"asserted in frame (\d+)", said)

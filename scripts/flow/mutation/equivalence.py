@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Proofs that a fault changes nothing that can be seen from outside.
+
+The design with the fault and the design without run side by side, in yosys-abc. It merges the registers that are equal
+in both (induction over all of them at once: lcorr, scorr) and proves what is left with invariants that it finds by
+itself (property directed reachability: pdr).
+
+Assumed: registers and memories start at 0, as in an FPGA, and the first clock is one of reset. From then on every input
+is free in every clock, resets and broken streams too. Compared: all outputs in every clock, those that go with a valid
+bit while it is '1'. The shell is proved for any core: what it gives the core is an output, what the core answers is an
+input."""
+
+import re
+import threading
+from pathlib import Path
+from typing import NamedTuple
+
+from ..base import aiger, ghdl, rtl
+from ..base.errors import EXIT_TOOL_FAILED, FlowError
+from ..shell import template
+from ..synthesis import manifest
+
+SECONDS = 30  # for what is left after the merging of registers
+VALID = {  # bit: the outputs that say something while it is '1'
+    "disparity_valid": ("disparity", "pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"),
+    "m_axis_tvalid": ("m_axis_tdata", "m_axis_tuser", "m_axis_tlast"),
+    "s_axil_bvalid": ("s_axil_bresp",),
+    "s_axil_rvalid": ("s_axil_rdata", "s_axil_rresp"),
+}
+CLOCKS = ("clock", "aclk")
+IN_RESET = {"reset": "reset | first", "aresetn": "aresetn & ~first"}
+
+
+class Design(NamedTuple):
+    """What two versions of are compared."""
+
+    config: str
+    is_core: bool  # or the shell
+    generics: ghdl.Generics = {}  # of the shell, that are not those of the configuration
+
+
+def observed(verilog: str, module: str) -> str:
+    """`verilog` and around its module, whose name may go on with the values of generics, a module `observed`, which has
+    its ports: a reset in the first clock, outputs 0 while their valid bit is."""
+    match = re.search(rf"^module ({module}\w*)\s*\((.*?)\);", verilog, re.MULTILINE | re.DOTALL)
+    if not match:
+        raise FlowError(f"ghdl --synth did not write a module {module}", EXIT_TOOL_FAILED)
+    ports = re.findall(r"(input|output)\s+(\[\d+:0\])?\s*(\w+)", match.group(2))
+    valid_of = {name: bit for bit, names in VALID.items() for name in names}
+    clock = next(name for _, _, name in ports if name in CLOCKS)
+    inner = {name: IN_RESET.get(name, name) if direction == "input" else f"of_{name}" for direction, _, name in ports}
+    lines = [
+        f"module observed ({', '.join(' '.join(port) for port in ports)});",
+        "reg first = 1;",
+        f"always @(posedge {clock}) first <= 0;",
+        *(f"wire {width} {inner[name]};" for direction, width, name in ports if direction == "output"),
+        f"{match.group(1)} inner ({', '.join(f'.{name}({word})' for name, word in inner.items())});",
+    ]
+    for direction, _, name in ports:
+        if direction == "output":
+            seen = f"{inner[valid_of[name]]} ? {inner[name]} : 0" if name in valid_of else inner[name]
+            lines.append(f"assign {name} = {seen};")
+    return verilog + "\n".join([*lines, "endmodule", ""])
+
+
+def graph(design: Design, core: list[Path], shell: list[Path], work: Path) -> Path:
+    """The and-inverter graph of a design made of these files: of a core from `core`, of a shell from `shell`."""
+    work.mkdir(parents=True, exist_ok=True)
+    name = design.config
+    if design.is_core:
+        verilog = ghdl.to_verilog(core, work, rtl.core_entity(name))
+        return aiger.write(observed(verilog, rtl.core_entity(name)), "observed", work, starts_at_zero=True)
+    generics = dict(design.generics)
+    enabled = generics.pop("enabled_at_reset", None)  # the only one that a user of the stereo_ip chooses
+    wrapper = work / f"{rtl.ip_entity(name)}.vhd"
+    wrapper.write_text(template.entity(name, manifest.read(rtl.folder(name)), generics))
+    options = {} if enabled is None else {"enabled_at_reset": enabled}
+    files = [*manifest.core_files(name), *shell, wrapper]
+    verilog = ghdl.to_verilog(files, work, rtl.ip_entity(name), options)
+    return aiger.write(observed(verilog, "stereo_shell"), "observed", work, starts_at_zero=True)
+
+
+def compare(original: Path, changed: Path, work: Path) -> str:
+    """Nothing when both show the same for ever; else in which clock they differ, or that the proof came to no end."""
+    commands = f"miter {original} {changed}; scleanup; lcorr; scorr; pdr -T {SECONDS}"
+    said = aiger.ask(commands, work)
+    if "Property proved" in said:
+        return ""
+    refuted = re.search(r"asserted in frame (\d+)", said)
+    return f"differs in clock {refuted.group(1)}" if refuted else f"no proof in {SECONDS} s"
+
+
+class Prover:
+    """Compares versions of some designs with their originals."""
+
+    def __init__(self, designs: list[Design], core: list[Path], shell: list[Path], work: Path) -> None:
+        self.designs, self.core, self.shell, self.work = designs, core, shell, work
+        self.originals: dict[int, Path] = {}
+        self.lock = threading.Lock()
+
+    def objection(self, core: list[Path], shell: list[Path], folder: Path) -> str:
+        """Why the version made of these files may show something else; "" when none of the designs does."""
+        for number, design in enumerate(self.designs):
+            with self.lock:
+                if number not in self.originals:
+                    work = self.work / f"original_{number}"
+                    self.originals[number] = graph(design, self.core, self.shell, work)
+            try:
+                changed = graph(design, core, shell, folder / f"design_{number}")
+            except FlowError as error:
+                return str(error)
+            said = compare(self.originals[number], changed, folder)
+            if said:
+                return said
+        return ""
