@@ -9,7 +9,6 @@
 namespace stereo::dynamic_range::configurations {
 
 // clang-format off
-// planned: their VHDL is not made yet.
 // Small enough for every tool to finish in seconds.
 STEREO_ROW(tiny_dynamic, option, Config(), width_px = 64, height_px = 32, disparities = 32, window_disparities = 16,
            window_px = 5);
@@ -18,8 +17,9 @@ STEREO_ROW(tiny_dynamic, option, Config(), width_px = 64, height_px = 32, dispar
 STEREO_ROW(masrani_640, system, Config(), width_px = 640, height_px = 480, disparities = 128, subpixel = true);
 
 // One option after the other, at a size that a test can afford.
-STEREO_ROW(tiny_dynamic_subpixel, planned, tiny_dynamic, subpixel = true, window_px = 7);
-STEREO_ROW(tiny_dynamic_census, planned, tiny_dynamic, codes = Codes::census);
+STEREO_ROW(tiny_dynamic_subpixel, option, tiny_dynamic, subpixel = true, window_px = 7);
+STEREO_ROW(tiny_dynamic_census, option, tiny_dynamic, codes = Codes::census);
+// planned: their VHDL is not made yet.
 STEREO_ROW(tiny_dynamic_three_scales, planned, tiny_dynamic, phase_scales = 3, height_px = 40);
 STEREO_ROW(tiny_dynamic_wide, planned, tiny_dynamic, width_px = 96, disparities = 64, window_disparities = 24,
            window_px = 3);

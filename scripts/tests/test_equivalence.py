@@ -49,7 +49,7 @@ VISIBLE = {
 def provers(tmp_path_factory):
     for tool, variable in (("ghdl", "GHDL"), ("yosys", "YOSYS"), ("yosys-abc", "YOSYS_ABC")):
         need(tool, variable)
-    return {what: Prover([what], *FILES, tmp_path_factory.mktemp("originals")) for what in (CORE, SHELL)}
+    return {what.is_core: Prover([what], *FILES, tmp_path_factory.mktemp("originals")) for what in (CORE, SHELL)}
 
 
 def objection(provers, change, folder):
@@ -60,7 +60,7 @@ def objection(provers, change, folder):
     changed = folder / f"{name}.vhd"
     changed.write_text(text.replace(old, new, 1))
     core, shell = ([changed if path.stem == name else path for path in files] for files in FILES)
-    return provers[what].objection(core, shell, folder)
+    return provers[what.is_core].objection(core, shell, folder)
 
 
 @pytest.mark.parametrize("change", INVISIBLE)
