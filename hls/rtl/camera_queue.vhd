@@ -82,11 +82,13 @@ begin
       out_valid => shows, out_ready => out_ready, out_data => shown);
 
   process (clock)
-    variable starts, takes, reads, leaves : boolean;
+    variable starts, takes, full, gives_up, reads, leaves : boolean;
   begin
     if rising_edge(clock) then
       starts := in_valid = '1' and in_start_of_frame = '1';
       takes := starts or (in_valid = '1' and accepts = '1');
+      full := takes and stored >= depth - 1;  -- one word may be on its way into the memory
+      gives_up := full and not starts and behind >= depth - 1;  -- this frame is longer than the queue
       reads := stored > 0 and in_flight < ahead;
       leaves := shows = '1' and drops = '0' and out_ready = '1';
       drops <= '0';
@@ -96,6 +98,10 @@ begin
         accepts <= '1';
         written_address <= write_address;
         written_word <= unsigned(in_end_of_line & in_start_of_frame & in_pixel);
+      end if;
+      -- Not an increment that a later statement takes back by an assignment of write_address to itself: GHDL 2.0's
+      -- synthesis loses the conditions of such a one.
+      if takes and not gives_up then
         write_address <= following(write_address);
       end if;
       if starts then
@@ -122,22 +128,21 @@ begin
       elsif in_valid = '1' and in_end_of_line = '1' and count /= 2 ** count'length - 1 then
         count <= count + 1;
       end if;
-      -- No room; one word may be on its way into the memory. What is read ahead is dropped, too.
-      if takes and stored >= depth - 1 then
+      -- No room. What is read ahead is dropped, too.
+      if full then
         drops <= '1';
         in_flight <= 0;
         arrives <= '0';
         if starts then
           read_address <= write_address;
           stored <= 0;
-        elsif behind < depth - 1 then
+        elsif not gives_up then
           read_address <= start_address;
           stored <= behind;
         else
           accepts <= '0';
           writes <= '0';
           read_address <= write_address;
-          write_address <= write_address;
           stored <= 0;
         end if;
       end if;

@@ -227,10 +227,10 @@ FAULTS = {
         "alike <= '1';",
     ),
     "lines are joined by their pixels only": ("stereo_joiner", "(left_end xnor right_end)", "'1'"),
-    "a lost frame is not noticed": ("camera_queue", "if takes and stored >= depth - 1 then", "if false then"),
+    "a lost frame is not noticed": ("camera_queue", "full := takes and stored >= depth - 1;", "full := false;"),
     "a start of frame is dropped with the frame before": (
         "camera_queue",
-        "elsif behind < depth - 1 then",
+        "elsif not gives_up then",
         "elsif false then",
     ),
     "a start of frame that finds no room is dropped": (

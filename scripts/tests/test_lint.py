@@ -34,6 +34,7 @@ FAULTS = {
         "latch",
     ),
     "capital letter": ("stream_fifo", "leaves := waits", "LEAVES := waits", "capital"),
+    "a value kept": ("camera_queue", "read_address <= write_address;", "read_address <= read_address;", "to itself"),
     "long line": ("stream_fifo", "-- A queue", "-- " + 130 * "x", "longer"),
     "no licence": ("stream_fifo", "-- SPDX-License-Identifier: Apache-2.0\n", "", "SPDX"),
     "a name that Verilog reserves": ("stereo_frames", "frame_leaves", "final", "%Error"),
