@@ -100,7 +100,7 @@ begin
         written_word <= unsigned(in_end_of_line & in_start_of_frame & in_pixel);
       end if;
       -- Not an increment that a later statement takes back by an assignment of write_address to itself: GHDL 2.0's
-      -- synthesis loses the conditions of such a one.
+      -- synthesis can lose the conditions of such a one.
       if takes and not gives_up then
         write_address <= following(write_address);
       end if;

@@ -39,8 +39,10 @@ def layout(path: Path) -> list[str]:
                 ("a tab", "\t" in line),
                 ("blanks at the end", line != line.rstrip()),
                 ("a capital letter in the code", bool(re.search("[A-Z]", code))),
-                # GHDL 2.0's synthesis loses conditions of the statements before such a one.
-                ("a signal assigned to itself", bool(re.search(r"\b(\w+) <= \1;", code))),
+                (
+                    "a signal assigned to itself, whose conditions GHDL's synthesis can lose",
+                    bool(re.search(r"\b(\w+) <= \1;", code)),
+                ),
                 ("an odd indentation", (len(line) - len(line.lstrip())) % 2 == 1),
             )
             if wrong
