@@ -12,6 +12,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
+from flow.base.errors import EXIT_MISSING_TOOL, FlowError  # noqa: E402 -- the path comes first
+
 SEED = int(os.environ.get("STEREO_TEST_SEED", "20070925"))
 
 
@@ -28,6 +30,17 @@ def need(name, variable=None):
     if path is None:
         pytest.skip(f"SKIP: {name} is not installed")
     return path
+
+
+def where_reachable(install):
+    """What `install` gives. A skip only where a tool is missing or PyPI is out of reach: a package that cannot be
+    installed for another reason is a fault."""
+    try:
+        return install()
+    except FlowError as error:
+        if error.exit_code != EXIT_MISSING_TOOL:
+            raise
+        pytest.skip(f"SKIP: {error}")
 
 
 @pytest.fixture

@@ -7,8 +7,8 @@ import xml.etree.ElementTree as xml
 
 import pytest
 
+from conftest import where_reachable
 from flow.base.configurations import configuration
-from flow.base.errors import EXIT_MISSING_TOOL, FlowError
 from flow.shell import cocotb_runs, design, judge, pool, script, template, verilated
 from flow.shell.broken import beats_of
 from flow.synthesis import manifest
@@ -17,11 +17,7 @@ from flow_commands import call, refused
 
 @pytest.fixture(scope="module")
 def cocotb():
-    try:
-        return cocotb_runs.environment_folder()
-    except FlowError as error:
-        assert error.exit_code == EXIT_MISSING_TOOL
-        pytest.skip(f"SKIP: cocotb: {error}")
+    return where_reachable(cocotb_runs.environment_folder)
 
 
 def test_short_run_in_verilator(ghdl, verilator, tmp_path):

@@ -3,20 +3,15 @@
 
 import os
 
-import pytest
-
+from conftest import where_reachable
 from flow.base import rtl
-from flow.base.errors import FlowError
 from flow.implementation import nextpnr
 from flow.synthesis import manifest
 from flow_commands import call
 
 
 def test_example_meets_its_clock(ghdl, yosys, tmp_path):
-    try:
-        nextpnr.find_nextpnr()
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
+    where_reachable(nextpnr.find_nextpnr)
     process = call("build_example.py", "--out", tmp_path / "example")
     assert process.returncode == 0, process.stdout + process.stderr
     # Fewer flip-flops than registers in the core would be an example that was optimised away.

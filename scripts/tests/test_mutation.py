@@ -5,8 +5,7 @@ import json
 
 import pytest
 
-from conftest import need
-from flow.base.errors import FlowError
+from conftest import need, where_reachable
 from flow.shell import cocotb_runs
 from flow_commands import call
 
@@ -14,10 +13,7 @@ from flow_commands import call
 @pytest.fixture(autouse=True)
 def tools(ghdl, yosys):
     need("yosys-abc", "YOSYS_ABC")
-    try:
-        cocotb_runs.environment_folder()
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
+    where_reachable(cocotb_runs.environment_folder)
 
 
 def test_short_run(tmp_path):

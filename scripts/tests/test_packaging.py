@@ -10,8 +10,8 @@ from functools import partial
 
 import pytest
 
+from conftest import where_reachable
 from flow.base import rtl, venv
-from flow.base.errors import FlowError
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
 from flow.shell import cocotb_runs, design, example, template
@@ -19,17 +19,11 @@ from flow.synthesis import manifest
 from flow_commands import call, refused
 
 
-def from_pypi(install):
-    """What `install` gives, or a skip where PyPI is out of reach."""
-    try:
-        return install()
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
-
-
 @pytest.fixture(scope="module")
 def fusesoc():
-    return from_pypi(lambda: venv.ensure("venv-fusesoc", ROOT / "scripts" / "requirements-fusesoc.txt", "fusesoc"))
+    return where_reachable(
+        lambda: venv.ensure("venv-fusesoc", ROOT / "scripts" / "requirements-fusesoc.txt", "fusesoc")
+    )
 
 
 def ghdl_run(ghdl, folder, files, top):
@@ -175,6 +169,6 @@ def test_fusesoc(ghdl, fusesoc, tmp_path, target, word):
 
 
 def test_pictures_are_what_the_simulation_gives(ghdl):
-    from_pypi(cocotb_runs.environment_folder)
+    where_reachable(cocotb_runs.environment_folder)
     process = call("timing_diagrams.py", "--check")
     assert process.returncode == 0, process.stdout + process.stderr

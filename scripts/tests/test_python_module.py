@@ -13,9 +13,8 @@ import tomllib
 import numpy as np
 import pytest
 
-from conftest import SEED
+from conftest import SEED, where_reachable
 from flow.base import python_module
-from flow.base.errors import EXIT_MISSING_TOOL, FlowError
 from flow.base.tools import ROOT, find_stereo_hls, run
 
 WIDTH, HEIGHT, RANGE = 96, 60, 20
@@ -23,12 +22,7 @@ WIDTH, HEIGHT, RANGE = 96, 60, 20
 
 @pytest.fixture(scope="module")
 def module():
-    try:
-        programs = python_module.install()
-    except FlowError as error:
-        if error.exit_code == EXIT_MISSING_TOOL:
-            pytest.skip(f"SKIP: {error}")
-        raise
+    programs = where_reachable(python_module.install)
     sys.path.append(str(python_module.site_packages(programs)))
     return importlib.import_module("stereo_hls")
 

@@ -6,8 +6,8 @@ import subprocess
 
 import pytest
 
+from conftest import where_reachable
 from flow.base import venv
-from flow.base.errors import FlowError
 from flow.base.tools import ROOT
 
 CONFIGURATION = ROOT / "pyproject.toml"
@@ -32,10 +32,7 @@ BAD_FILES = [
 @pytest.fixture(scope="module")
 def check():
     """Runs the tool of one of the CHECKS; without files on all that pyproject.toml names."""
-    try:
-        programs = venv.ensure("venv-style", REQUIREMENTS, "the style checker (ruff, mypy)")
-    except FlowError as error:
-        pytest.skip(f"SKIP: {error}")
+    programs = where_reachable(lambda: venv.ensure("venv-style", REQUIREMENTS, "the style checker (ruff, mypy)"))
 
     def run(kind, *files):
         program, *options = CHECKS[kind]

@@ -6,10 +6,12 @@ import os
 import sys
 from pathlib import Path
 
-from .errors import EXIT_MISSING_TOOL, FlowError
+from .errors import EXIT_MISSING_TOOL, EXIT_TOOL_FAILED, FlowError
 from .tools import ROOT, Say, run
 
 PYTHON = "/usr/bin/python3"
+# What pip says when no server answers. A package that lacks the pinned version has others, and pip lists them.
+UNREACHABLE = ("(from versions: none)", "Retrying (Retry(")
 
 
 def ensure(name: str, requirements: Path, what: str, say: Say = print) -> Path:
@@ -48,7 +50,10 @@ def _install(folder: Path, requirements: Path, what: str) -> None:
     try:
         install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "-r"]
         run([folder / "bin" / "python3", *install, requirements], log=log)
-    except FlowError:
+    except FlowError as error:
+        said = log.read_text()
+        if not any(words in said for words in UNREACHABLE):
+            raise FlowError(f"cannot install {what}: {error}", EXIT_TOOL_FAILED) from None
         raise FlowError(
             f"{what} is not installed and cannot be fetched from PyPI (offline?); see {log}", EXIT_MISSING_TOOL
         ) from None
