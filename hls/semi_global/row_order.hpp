@@ -19,9 +19,8 @@ struct RowOrder {
    // Of the row that comes in.
    bool complete;       ///< with its last column
    bool output, first;  ///< the row is one of the map, its first one
-   // Of the row that comes out.
-   bool held_output, held_first;
-   PixelTag turned;  ///< the tag of the column that comes out
+   bool held_output;    ///< the row that comes out is one of the map
+   PixelTag turned;     ///< the tag of the column that comes out
 
    HLS_INLINE RowOrder() { start(*this); }
 
@@ -34,31 +33,29 @@ struct RowOrder {
       visit("output", output);
       visit("first", first);
       visit("held_output", held_output);
-      visit("held_first", held_first);
       visit("turned", turned);
    }
 
-   /// A row that breaks off leaves words of two rows: it counts as none.
+   /// A row that breaks off leaves words of two rows: it counts as none. Bits meet with &, which is a gate; of && the
+   /// compiler makes branches that take all that follows along, and the loop of a large core then has two states.
    HLS_INLINE void clock(const PixelTag& in) {
-      const bool comes = in.valid && in.map_column;
-      const bool starts = comes && !inside;
-      const bool now_output = select<bool>(starts, complete && output, held_output);
-      const bool now_first = select<bool>(starts, first, held_first);
+      const bool comes = in.valid & in.map_column;
+      const bool starts = comes & !inside;
+      const bool turns_output = complete & output;
+      const bool now_output = select<bool>(starts, turns_output, held_output);
       turned.valid = in.valid;
       turned.map_column = in.map_column;
-      turned.output_column = in.map_column && now_output;
+      turned.output_column = in.map_column & now_output;
       turned.first_column = starts;
-      turned.start_of_frame = starts && now_output && now_first;
+      turned.start_of_frame = starts & turns_output & first;
       turned.end_of_line = in.end_of_line;
 
-      const bool now_falls = falls != starts;
       const uint16_t beside = select<uint16_t>(falls, uint16_t(address - 1), uint16_t(address + 1));
-      const uint16_t end = select<uint16_t>(now_falls, Width - 1, 0);
+      const uint16_t end = select<uint16_t>(falls, 0, Width - 1);
       const uint16_t next = select<uint16_t>(starts, end, beside);
       address = at_most<Width - 1>(select<uint16_t>(comes, next, address));
-      falls = now_falls;
+      falls = falls != starts;
       held_output = now_output;
-      held_first = now_first;
       output = select<bool>(starts, in.output_column, output);
       first = select<bool>(starts, in.start_of_frame, first);
       complete = select<bool>(comes, in.end_of_line, complete);

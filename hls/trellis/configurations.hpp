@@ -12,8 +12,8 @@ namespace stereo::trellis::configurations {
 // tiny: small enough for every tool to finish in seconds.
 STEREO_ROW(tiny_trellis, tiny, Config(), width_px = 40, height_px = 12, disparities = 12, slice_disparities = 5);
 
-// planned: Kim et al., 1300x640; their disparities are not stated. No VHDL yet: docs/trellis.md.
-STEREO_ROW(trellis_1300, planned, Config(), width_px = 1300, height_px = 640, disparities = 64, median = true,
+// system: Kim et al., 1300x640; their disparities are not stated.
+STEREO_ROW(trellis_1300, system, Config(), width_px = 1300, height_px = 640, disparities = 64, median = true,
            slice_disparities = 16);
 
 // option: one option after the other, at a size that a test can afford.

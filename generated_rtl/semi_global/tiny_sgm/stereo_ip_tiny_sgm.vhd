@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"afbe3557",
+      core_id => x"90cb6be6",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 249,
       gap_groups => 0,
-      core_id => x"ea09b2a8",
+      core_id => x"6fb21dd5",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

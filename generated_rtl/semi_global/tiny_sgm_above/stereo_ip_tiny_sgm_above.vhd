@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 131,
       gap_groups => 0,
-      core_id => x"8109bd07",
+      core_id => x"18940df7",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

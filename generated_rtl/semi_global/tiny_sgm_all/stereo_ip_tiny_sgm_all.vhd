@@ -64,7 +64,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"41090d48",
+      core_id => x"ce849a5b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

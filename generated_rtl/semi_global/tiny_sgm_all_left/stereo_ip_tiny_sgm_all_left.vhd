@@ -64,7 +64,7 @@ begin
       latency_clocks => 59,
       flush_groups => 259,
       gap_groups => 0,
-      core_id => x"87c12cec",
+      core_id => x"85463138",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 31,
       flush_groups => 242,
       gap_groups => 0,
-      core_id => x"1d45e88b",
+      core_id => x"9b3194f4",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

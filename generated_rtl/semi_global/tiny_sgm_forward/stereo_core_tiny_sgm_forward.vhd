@@ -4825,8 +4825,10 @@ begin
         forward_cost_0_10 <= to_integer(forward_cost_delay_held_1(11 downto 8));
         forward_cost_0_11 <= to_integer(forward_cost_delay_held_1(15 downto 12));
       end if;
-      forward_above_writes_copy_0_choice := forward_above_comes_8 when entry_tag_valid else forward_above_comes_9;
-      forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_writes_copy_0_choice;
+      forward_above_writes_copy_0_choice := entry_next_tag_valid when forward_above_comes_9 else entry_next_tag_valid
+        and entry_tag_valid;
+      forward_above_writes_copy_0 <= forward_above_writes_copy_0_choice when forward_above_comes_8 else
+        forward_above_comes_9 and entry_next_tag_valid and (not entry_tag_valid);
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <

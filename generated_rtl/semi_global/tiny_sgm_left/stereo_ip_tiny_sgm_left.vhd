@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"75bb0853",
+      core_id => x"ef9616cf",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"63caf4d6",
+      core_id => x"c6a8a3b3",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 35,
       flush_groups => 142,
       gap_groups => 0,
-      core_id => x"ceee428f",
+      core_id => x"dd8ad6d2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

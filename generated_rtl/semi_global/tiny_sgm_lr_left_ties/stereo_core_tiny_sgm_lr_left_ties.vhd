@@ -667,8 +667,6 @@ architecture rtl of stereo_core_tiny_sgm_lr_left_ties is
   signal turn_newest, turn_write_words_0 : natural range 0 to 271;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
-  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
-  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -692,6 +690,8 @@ architecture rtl of stereo_core_tiny_sgm_lr_left_ties is
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -703,22 +703,6 @@ begin
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
-
-  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 4);
-  leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
-
-  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(winners_best_index_0_0, 8) & to_unsigned(as_number(winners_best_tag_end_of_line), 1) & to_unsigned(as_number(winners_best_tag_start_of_frame), 1) & to_unsigned(as_number(winners_best_tag_output_column), 1) & to_unsigned(as_number(winners_best_tag_map_column), 1);
-  leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 13)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -903,6 +887,22 @@ begin
       clock => clock, read_enable => true,
       read_address => turn_order_address, read_data => turn_read_words_0,
       write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_5_0, 4);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 4)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(winners_best_index_0_0, 8) & to_unsigned(as_number(winners_best_tag_end_of_line), 1) & to_unsigned(as_number(winners_best_tag_start_of_frame), 1) & to_unsigned(as_number(winners_best_tag_output_column), 1) & to_unsigned(as_number(winners_best_tag_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 12, width => 13)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1216,144 +1216,142 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnersother_cost_0_1_value : boolean;
-    variable winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2, winnersother_cost_0_1_value_2 : boolean;
-    variable winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_3, winnersother_cost_0_1_choice_4 : boolean;
-    variable winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_5, winnersother_cost_0_1_value_5 : boolean;
-    variable winnersother_cost_0_1_choice_6, winnersother_cost_0_1_choice_7, winnersother_cost_0_1_all : boolean;
-    variable winnersother_cost_0_1_choice_8, winnersother_cost_0_1_is_equal, winnersother_cost_0_1_choice_9 : boolean;
-    variable winnersother_cost_0_1_value_6, winnersother_cost_0_1_choice_10, winnersother_cost_0_1_value_7 : boolean;
-    variable winnersother_cost_0_1_choice_11, winnersother_cost_0_1_value_8, winnersother_cost_0_1_choice_12 : boolean;
-    variable winnersother_cost_0_1_value_9, winnersother_cost_0_1_choice_13, winnersother_cost_0_1_choice_14 : boolean;
-    variable winnersother_cost_0_1_all_2, winnersother_cost_0_2_value, winnersother_cost_0_2_choice : boolean;
-    variable winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2, winnersother_cost_0_2_choice_3 : boolean;
-    variable winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4, winnersother_cost_0_2_value_4 : boolean;
-    variable winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5, winnersother_cost_0_2_choice_6 : boolean;
-    variable winnersother_cost_0_2_choice_7, winnersother_cost_0_3_choice, winnersother_cost_0_3_is_equal : boolean;
-    variable winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value, winnersother_cost_0_3_choice_3 : boolean;
-    variable winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4, winnersother_cost_0_3_value_3 : boolean;
-    variable winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4, winnersother_cost_0_3_choice_6 : boolean;
-    variable winnersother_cost_0_3_choice_7, winnersother_cost_0_4_value, winnersother_cost_0_4_choice : boolean;
-    variable winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2, winnersother_cost_0_4_choice_3 : boolean;
-    variable winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4, winnersother_cost_0_4_value_4 : boolean;
-    variable winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5, winnersother_cost_0_4_choice_6 : boolean;
-    variable winnersother_cost_0_4_choice_7, winnersother_cost_0_5_choice, winnersother_cost_0_5_is_equal : boolean;
-    variable winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value, winnersother_cost_0_5_choice_3 : boolean;
-    variable winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4, winnersother_cost_0_5_value_3 : boolean;
-    variable winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4, winnersother_cost_0_5_choice_6 : boolean;
-    variable winnersother_cost_0_5_choice_7, winnersother_cost_0_6_value, winnersother_cost_0_6_choice : boolean;
-    variable winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2, winnersother_cost_0_6_choice_3 : boolean;
-    variable winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4, winnersother_cost_0_6_value_4 : boolean;
-    variable winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5, winnersother_cost_0_6_choice_6 : boolean;
-    variable winnersother_cost_0_6_choice_7, winnersother_cost_0_7_choice, winnersother_cost_0_7_is_equal : boolean;
-    variable winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value, winnersother_cost_0_7_choice_3 : boolean;
-    variable winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4, winnersother_cost_0_7_value_3 : boolean;
-    variable winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4, winnersother_cost_0_7_choice_6 : boolean;
-    variable winnersother_cost_0_7_choice_7, winnersother_cost_0_8_value, winnersother_cost_0_8_choice : boolean;
-    variable winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2, winnersother_cost_0_8_choice_3 : boolean;
-    variable winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4, winnersother_cost_0_8_value_4 : boolean;
-    variable winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5, winnersother_cost_0_8_choice_6 : boolean;
-    variable winnersother_cost_0_8_choice_7, winnersother_cost_0_9_choice, winnersother_cost_0_9_is_equal : boolean;
-    variable winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value, winnersother_cost_0_9_choice_3 : boolean;
-    variable winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4, winnersother_cost_0_9_value_3 : boolean;
-    variable winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4, winnersother_cost_0_9_choice_6 : boolean;
-    variable winnersother_cost_0_9_choice_7, winnersother_winner_0_0_value, winnersother_winner_0_0_choice : boolean;
-    variable winnersother_winner_0_0_choice_2, winnersother_winner_0_0_value_2 : boolean;
-    variable winnersother_winner_0_0_choice_3, winnersother_winner_0_0_value_3 : boolean;
-    variable winnersother_winner_0_0_choice_4, winnersother_winner_0_0_value_4 : boolean;
-    variable winnersother_winner_0_0_choice_5, winnersother_winner_0_0_value_5 : boolean;
-    variable winnersother_winner_0_0_choice_6, winnersother_winner_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
-    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_7 : boolean;
-    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
-    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_7 : boolean;
-    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_four_index_0_0_value : boolean;
-    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
-    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_value_4 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_5 : boolean;
-    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_value_8 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_9 : boolean;
-    variable winnerswinner2_four_index_0_0_value_10, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_6, leftright_held_valid_is_equal : boolean;
-    variable leftright_checked_passed_0_value, leftright_checked_passed_0_choice : boolean;
-    variable leftright_checked_passed_0_choice_2, leftright_checked_passed_0_choice_3 : boolean;
-    variable leftright_checked_passed_0_choice_4, leftright_checked_passed_0_choice_5 : boolean;
-    variable leftright_checked_passed_0_choice_6, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_complete_any, turn_order_turned_output_column_all : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
+    variable winnersother_cost_0_1_value, winnersother_cost_0_1_choice, winnersother_cost_0_1_choice_2 : boolean;
+    variable winnersother_cost_0_1_value_2, winnersother_cost_0_1_choice_3, winnersother_cost_0_1_value_3 : boolean;
+    variable winnersother_cost_0_1_choice_4, winnersother_cost_0_1_value_4, winnersother_cost_0_1_choice_5 : boolean;
+    variable winnersother_cost_0_1_value_5, winnersother_cost_0_1_choice_6, winnersother_cost_0_1_choice_7 : boolean;
+    variable winnersother_cost_0_1_all, winnersother_cost_0_1_choice_8, winnersother_cost_0_1_is_equal : boolean;
+    variable winnersother_cost_0_1_choice_9, winnersother_cost_0_1_value_6, winnersother_cost_0_1_choice_10 : boolean;
+    variable winnersother_cost_0_1_value_7, winnersother_cost_0_1_choice_11, winnersother_cost_0_1_value_8 : boolean;
+    variable winnersother_cost_0_1_choice_12, winnersother_cost_0_1_value_9, winnersother_cost_0_1_choice_13 : boolean;
+    variable winnersother_cost_0_1_choice_14, winnersother_cost_0_1_all_2, winnersother_cost_0_2_value : boolean;
+    variable winnersother_cost_0_2_choice, winnersother_cost_0_2_choice_2, winnersother_cost_0_2_value_2 : boolean;
+    variable winnersother_cost_0_2_choice_3, winnersother_cost_0_2_value_3, winnersother_cost_0_2_choice_4 : boolean;
+    variable winnersother_cost_0_2_value_4, winnersother_cost_0_2_choice_5, winnersother_cost_0_2_value_5 : boolean;
+    variable winnersother_cost_0_2_choice_6, winnersother_cost_0_2_choice_7, winnersother_cost_0_3_choice : boolean;
+    variable winnersother_cost_0_3_is_equal, winnersother_cost_0_3_choice_2, winnersother_cost_0_3_value : boolean;
+    variable winnersother_cost_0_3_choice_3, winnersother_cost_0_3_value_2, winnersother_cost_0_3_choice_4 : boolean;
+    variable winnersother_cost_0_3_value_3, winnersother_cost_0_3_choice_5, winnersother_cost_0_3_value_4 : boolean;
+    variable winnersother_cost_0_3_choice_6, winnersother_cost_0_3_choice_7, winnersother_cost_0_4_value : boolean;
+    variable winnersother_cost_0_4_choice, winnersother_cost_0_4_choice_2, winnersother_cost_0_4_value_2 : boolean;
+    variable winnersother_cost_0_4_choice_3, winnersother_cost_0_4_value_3, winnersother_cost_0_4_choice_4 : boolean;
+    variable winnersother_cost_0_4_value_4, winnersother_cost_0_4_choice_5, winnersother_cost_0_4_value_5 : boolean;
+    variable winnersother_cost_0_4_choice_6, winnersother_cost_0_4_choice_7, winnersother_cost_0_5_choice : boolean;
+    variable winnersother_cost_0_5_is_equal, winnersother_cost_0_5_choice_2, winnersother_cost_0_5_value : boolean;
+    variable winnersother_cost_0_5_choice_3, winnersother_cost_0_5_value_2, winnersother_cost_0_5_choice_4 : boolean;
+    variable winnersother_cost_0_5_value_3, winnersother_cost_0_5_choice_5, winnersother_cost_0_5_value_4 : boolean;
+    variable winnersother_cost_0_5_choice_6, winnersother_cost_0_5_choice_7, winnersother_cost_0_6_value : boolean;
+    variable winnersother_cost_0_6_choice, winnersother_cost_0_6_choice_2, winnersother_cost_0_6_value_2 : boolean;
+    variable winnersother_cost_0_6_choice_3, winnersother_cost_0_6_value_3, winnersother_cost_0_6_choice_4 : boolean;
+    variable winnersother_cost_0_6_value_4, winnersother_cost_0_6_choice_5, winnersother_cost_0_6_value_5 : boolean;
+    variable winnersother_cost_0_6_choice_6, winnersother_cost_0_6_choice_7, winnersother_cost_0_7_choice : boolean;
+    variable winnersother_cost_0_7_is_equal, winnersother_cost_0_7_choice_2, winnersother_cost_0_7_value : boolean;
+    variable winnersother_cost_0_7_choice_3, winnersother_cost_0_7_value_2, winnersother_cost_0_7_choice_4 : boolean;
+    variable winnersother_cost_0_7_value_3, winnersother_cost_0_7_choice_5, winnersother_cost_0_7_value_4 : boolean;
+    variable winnersother_cost_0_7_choice_6, winnersother_cost_0_7_choice_7, winnersother_cost_0_8_value : boolean;
+    variable winnersother_cost_0_8_choice, winnersother_cost_0_8_choice_2, winnersother_cost_0_8_value_2 : boolean;
+    variable winnersother_cost_0_8_choice_3, winnersother_cost_0_8_value_3, winnersother_cost_0_8_choice_4 : boolean;
+    variable winnersother_cost_0_8_value_4, winnersother_cost_0_8_choice_5, winnersother_cost_0_8_value_5 : boolean;
+    variable winnersother_cost_0_8_choice_6, winnersother_cost_0_8_choice_7, winnersother_cost_0_9_choice : boolean;
+    variable winnersother_cost_0_9_is_equal, winnersother_cost_0_9_choice_2, winnersother_cost_0_9_value : boolean;
+    variable winnersother_cost_0_9_choice_3, winnersother_cost_0_9_value_2, winnersother_cost_0_9_choice_4 : boolean;
+    variable winnersother_cost_0_9_value_3, winnersother_cost_0_9_choice_5, winnersother_cost_0_9_value_4 : boolean;
+    variable winnersother_cost_0_9_choice_6, winnersother_cost_0_9_choice_7, winnersother_winner_0_0_value : boolean;
+    variable winnersother_winner_0_0_choice, winnersother_winner_0_0_choice_2 : boolean;
+    variable winnersother_winner_0_0_value_2, winnersother_winner_0_0_choice_3 : boolean;
+    variable winnersother_winner_0_0_value_3, winnersother_winner_0_0_choice_4 : boolean;
+    variable winnersother_winner_0_0_value_4, winnersother_winner_0_0_choice_5 : boolean;
+    variable winnersother_winner_0_0_value_5, winnersother_winner_0_0_choice_6 : boolean;
+    variable winnersother_winner_0_0_choice_7, winnerswinner1_of_pair_0_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_8_choice : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_10_value_4, winnerswinner1_of_pair_0_10_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_4_value : boolean;
+    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_9 : boolean;
+    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner2_of_pair_0_0_choice : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
+    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_value_6 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_7 : boolean;
+    variable winnerswinner2_four_index_0_0_value_8, winnerswinner2_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner2_four_index_0_0_value_9, winnerswinner2_four_index_0_0_value_10 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
+    variable leftright_held_valid_is_equal, leftright_checked_passed_0_value : boolean;
+    variable leftright_checked_passed_0_choice, leftright_checked_passed_0_choice_2 : boolean;
+    variable leftright_checked_passed_0_choice_3, leftright_checked_passed_0_choice_4 : boolean;
+    variable leftright_checked_passed_0_choice_5, leftright_checked_passed_0_choice_6, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
     variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_194, entry_order_address_choice_3 : natural range 0 to 31;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_194, forward_left_room_choice : natural range 0 to 31;
+    variable forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
     variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
     variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
     variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
     variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
     variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
     variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
-    variable turn_order_address_choice_3 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_197 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -4692,15 +4690,12 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4717,16 +4712,13 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
         entry_order_complete and entry_order_complete_any;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4744,25 +4736,28 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
       end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_2_start_of_frame;
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
-      end if;
-      if not entry_order_inside then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -6453,29 +6448,30 @@ begin
         leftright_holds_winners <= winners_best_tag_valid or leftright_holds_winners;
       end if;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and leftright_checked_tag_map_column and
+      turn_order_address_any := turn_order_inside or (not leftright_checked_tag_map_column) or (not
+        leftright_checked_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag_map_column and
         leftright_checked_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := leftright_checked_tag_map_column and leftright_checked_tag_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
-      turn_order_turned_output_column_all := turn_order_complete and turn_order_output;
-      turn_order_turned_output_column_choice := leftright_checked_tag_map_column when turn_order_address_all else
-        turn_order_held_output and leftright_checked_tag_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when leftright_checked_tag_end_of_line
-        else turn_order_complete and turn_order_complete_any;
+      turn_order_complete_all := leftright_checked_tag_map_column and leftright_checked_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when leftright_checked_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= leftright_checked_tag_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        leftright_checked_tag_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and leftright_checked_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag_map_column and
-        leftright_checked_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
+        leftright_checked_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= leftright_checked_tag_end_of_line;
       turn_newest <= (as_number(leftright_checked_passed_0) * 256) + leftright_checked_disparity_0;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -6485,16 +6481,13 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if not turn_order_inside then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
-      end if;
       if leftright_checked_tag_valid then
         turn_order_inside <= leftright_checked_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= leftright_checked_tag_output_column;
         turn_order_first <= leftright_checked_tag_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;

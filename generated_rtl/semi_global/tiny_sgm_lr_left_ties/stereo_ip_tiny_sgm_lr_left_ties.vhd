@@ -64,7 +64,7 @@ begin
       latency_clocks => 38,
       flush_groups => 218,
       gap_groups => 0,
-      core_id => x"2de98a0f",
+      core_id => x"ac71ed77",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

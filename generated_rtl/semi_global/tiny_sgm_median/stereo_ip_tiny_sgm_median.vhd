@@ -64,7 +64,7 @@ begin
       latency_clocks => 45,
       flush_groups => 248,
       gap_groups => 0,
-      core_id => x"4c8c8fd3",
+      core_id => x"7f822225",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

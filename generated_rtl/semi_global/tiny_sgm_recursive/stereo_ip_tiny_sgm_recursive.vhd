@@ -64,7 +64,7 @@ begin
       latency_clocks => 36,
       flush_groups => 248,
       gap_groups => 80,
-      core_id => x"c7917dac",
+      core_id => x"11e0cdfc",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

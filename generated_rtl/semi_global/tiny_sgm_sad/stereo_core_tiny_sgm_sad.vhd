@@ -86,10 +86,10 @@ architecture rtl of stereo_core_tiny_sgm_sad is
     return '0';
   end function;
 
-  signal in_right_pixel : natural range 0 to 255;
-  signal in_valid : boolean;
   signal in_start_of_frame : boolean;
+  signal in_valid : boolean;
   signal in_left_pixel : natural range 0 to 255;
+  signal in_right_pixel : natural range 0 to 255;
   -- raster
   signal raster_features_search_0, raster_features_reference_0 : natural range 0 to 255;
   signal raster_features_valid, raster_place_next_frame : boolean;
@@ -438,6 +438,7 @@ architecture rtl of stereo_core_tiny_sgm_sad is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -457,18 +458,25 @@ architecture rtl of stereo_core_tiny_sgm_sad is
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
+  in_valid <= valid = '1';
   in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(right_pixel));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -622,20 +630,12 @@ begin
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
 
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
     variable raster_place_group_is_equal_3, raster_place_group_choice_2, raster_place_next_frame_choice : boolean;
     variable raster_place_next_frame_choice_2, delay_row_inside_1_is_not_less, delay_row_inside_1_is_less : boolean;
     variable delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
-    variable entry_order_address_all, entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable entry_order_falls_any, entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
@@ -720,20 +720,12 @@ begin
     variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_6 : boolean;
     variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_value_7 : boolean;
     variable winnerswinner2_four_index_0_0_choice_6, winnerswinner2_four_index_0_0_choice_7 : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_turned_output_column_all : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
     variable turn_order_turned_output_column_choice : boolean;
     variable raster_place_group_choice : natural range 0 to 3;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
-    variable entry_order_address_choice_3, forward_left_room_choice, forward_left_room_choice_2 : natural range 0 to 31;
-    variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
-    variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
-    variable forward_above_total_4_choice, forward_above_total_5_choice : natural range 0 to 31;
-    variable forward_above_total_6_choice, forward_above_total_7_choice : natural range 0 to 31;
-    variable forward_above_total_8_choice, forward_above_total_9_choice : natural range 0 to 31;
-    variable forward_above_total_10_choice, forward_above_total_11_choice : natural range 0 to 31;
-    variable sums_right_room_choice, sums_right_room_choice_2, turn_order_address_choice_3 : natural range 0 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice : natural range 0 to 127;
     variable forward_left_pair_2_choice, forward_left_pair_3_choice : natural range 0 to 127;
     variable forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 127;
@@ -778,6 +770,13 @@ begin
     variable sums_right_arrived_11_choice : natural range 0 to 127;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
     variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2 : natural range 0 to 255;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
+    variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
+    variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
+    variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
+    variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
+    variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 68;
@@ -1192,14 +1191,12 @@ begin
       slice2_held_0_0 <= 15 when 1023 < slice2window_sum_0_0 else slice2window_sum_0_0 / 64;
       slice2_held_0_1 <= 15 when 1023 < slice2window_sum_0_1 else slice2window_sum_0_1 / 64;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
-      entry_order_turned_output_column_all := entry_order_output and entry_order_complete;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
       entry_next_cost_2 <= slice1_held_1_0;
@@ -1216,16 +1213,11 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_falls <= entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid) when
-        entry_order_falls else entry_order_address_all;
-      entry_order_complete <= slice0_tag_2_end_of_line or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid)
-        when entry_order_complete else slice0_tag_2_end_of_line and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
+        entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
         and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
@@ -1250,17 +1242,23 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
         entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+      end if;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
-      if entry_order_address_all then
+      if entry_order_falls_all then
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_first <= slice0_tag_2_start_of_frame;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -2497,30 +2495,28 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_turned_output_column_all := turn_order_output and turn_order_complete;
-      turn_order_turned_output_column_choice := winners_best_tag_map_column when turn_order_address_all else
-        turn_order_held_output and winners_best_tag_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_falls <= turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid) when
-        turn_order_falls else turn_order_address_all;
-      turn_order_complete <= winners_best_tag_end_of_line or (not winners_best_tag_map_column) or (not
-        winners_best_tag_valid) when turn_order_complete else winners_best_tag_end_of_line and
-        winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        winners_best_tag_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
         winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -2533,10 +2529,10 @@ begin
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= winners_best_tag_output_column;
         turn_order_first <= winners_best_tag_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 27,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"d972b3dd",
+      core_id => x"6cd289c2",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

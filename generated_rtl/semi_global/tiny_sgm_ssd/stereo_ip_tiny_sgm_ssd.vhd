@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"01060941",
+      core_id => x"1621cdd8",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"0ae56735",
+      core_id => x"4fed6103",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 239,
       gap_groups => 0,
-      core_id => x"ba978fb7",
+      core_id => x"6511b106",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

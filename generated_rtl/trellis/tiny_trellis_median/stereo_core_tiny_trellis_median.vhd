@@ -549,19 +549,19 @@ architecture rtl of stereo_core_tiny_trellis_median is
   signal map_of_high_0_c, map_largest_low_0, map_median_middle_0, map_smallest_high_0 : natural range 0 to 255;
   signal map_of_all_0_a, map_of_all_0_b, map_of_all_0_c, map_out_disparity_0 : natural range 0 to 255;
   -- other
-  signal other_0, other_1, other_2, other_7 : natural range 0 to 257;
-  signal other_3, other_5 : unsigned(48 downto 0);
-  signal other_4 : natural range 0 to 510;
-  signal other_6 : boolean;
+  signal other_0 : boolean;
+  signal other_1, other_3 : unsigned(48 downto 0);
+  signal other_2 : natural range 0 to 510;
+  signal other_4, other_5, other_6, other_7 : natural range 0 to 257;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -573,6 +573,38 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 18)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
@@ -613,38 +645,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 18)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -957,31 +957,30 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable forward_path_0_value, forward_path_1_any, forward_path_1_value, forward_path_2_any : boolean;
-    variable forward_path_2_value, forward_path_3_any, forward_path_3_value, forward_path_4_any : boolean;
-    variable forward_path_4_value, forward_path_5_any, forward_path_5_value, forward_path_6_any : boolean;
-    variable forward_path_6_value, forward_path_7_any, forward_path_7_value, forward_path_8_any : boolean;
-    variable forward_path_8_value, forward_path_9_any, forward_path_9_value, forward_path_10_any : boolean;
-    variable forward_path_10_value, forward_path_11_any, forward_path_11_value, forward_dropped_0_value : boolean;
-    variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
-    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any, forward_far_1_choice : boolean;
-    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
-    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
-    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
-    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
-    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
-    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
-    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
-    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_complete_any, fill_out_disparity_0_all : boolean;
-    variable map_counter_column_is_equal, map_counter_group_is_equal, map_counter_group_all : boolean;
-    variable map_counter_group_is_equal_2, map_counter_group_choice_2, map_counter_group_is_equal_3 : boolean;
-    variable map_counter_next_frame_choice, map_counter_next_frame_choice_2, map_counter_next_frame_choice_3 : boolean;
-    variable map_counter_next_frame_choice_4, map_line_ended_choice, map_at_arrives_value : boolean;
-    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_any, entry_order_turned_output_column_choice, forward_path_0_value : boolean;
+    variable forward_path_1_any, forward_path_1_value, forward_path_2_any, forward_path_2_value : boolean;
+    variable forward_path_3_any, forward_path_3_value, forward_path_4_any, forward_path_4_value : boolean;
+    variable forward_path_5_any, forward_path_5_value, forward_path_6_any, forward_path_6_value : boolean;
+    variable forward_path_7_any, forward_path_7_value, forward_path_8_any, forward_path_8_value : boolean;
+    variable forward_path_9_any, forward_path_9_value, forward_path_10_any, forward_path_10_value : boolean;
+    variable forward_path_11_any, forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value : boolean;
+    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
+    variable forward_dropped_5_value, forward_far_1_any, forward_far_1_choice, forward_far_2_choice : boolean;
+    variable forward_far_3_choice, forward_far_4_choice, forward_far_5_choice, decisions_write_words_0_all : boolean;
+    variable lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
+    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
+    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
+    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
+    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal : boolean;
+    variable traceback_state_is_equal_2, traceback_state_is_equal_3, traceback_state_all : boolean;
+    variable traceback_decision_value, traceback_decision_value_2, traceback_decision_value_3 : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable fill_out_disparity_0_all, map_counter_column_is_equal, map_counter_group_is_equal : boolean;
+    variable map_counter_group_all, map_counter_group_is_equal_2, map_counter_group_choice_2 : boolean;
+    variable map_counter_group_is_equal_3, map_counter_next_frame_choice, map_counter_next_frame_choice_2 : boolean;
+    variable map_counter_next_frame_choice_3, map_counter_next_frame_choice_4, map_line_ended_choice : boolean;
+    variable map_at_arrives_value, map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
     variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
     variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
     variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
@@ -1094,16 +1093,15 @@ begin
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable map_counter_group_choice_3, map_counter_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
-    variable turn_order_address_choice_3 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 26;
     variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 26;
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 26;
@@ -4361,14 +4359,11 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
+      entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
+      entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4385,15 +4380,12 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
-        entry_order_complete and ((not slice0_tag_2_map_column) or (not slice0_tag_2_valid));
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
+        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
+        and entry_next_top and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4413,14 +4405,16 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all then
+      if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      if not entry_order_inside then
-        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
-          entry_order_falls;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -4876,34 +4870,34 @@ begin
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_inside <= traceback_out_tag_map_column;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_complete_any;
-      turn_order_turned_first_column <= turn_order_address_all;
+      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_map_column <= traceback_out_tag_map_column;
+      turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
-      turn_comes <= turn_order_address_all_2;
-      turn_read_tag_map_column <= turn_order_inside;
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_map_column <= turn_order_turned_map_column;
       turn_read_tag_first_column <= turn_order_turned_first_column;
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
-      if not turn_order_turned_map_column then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
+      if last_tag_valid then
+        turn_order_inside <= traceback_out_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= traceback_out_tag_output_column;
         turn_order_first <= traceback_out_tag_start_of_frame;
-      end if;
-      if last_tag_valid then
-        turn_order_turned_map_column <= traceback_out_tag_map_column;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
@@ -4919,16 +4913,16 @@ begin
       fill_out_tag_map_column <= turn_ready_tag_map_column;
       -- map
       map_counter_column_is_equal := map_counter_column = 28;
-      if other_6 then
-        map_counter_column <= 0 when map_counter_column_is_equal or ((other_7 mod 2) = 1) else (map_counter_column + 1)
+      if other_0 then
+        map_counter_column <= 0 when map_counter_column_is_equal or ((other_4 mod 2) = 1) else (map_counter_column + 1)
           mod 32;
       end if;
       map_counter_group_is_equal := map_counter_group = 11;
       map_counter_group_all := map_counter_column_is_equal and map_counter_group_is_equal;
       map_counter_group_choice := 3 when map_counter_group_all else 0;
       map_counter_group_is_equal_2 := (map_counter_group / 2) = 6;
-      map_counter_group_choice_2 := other_6 and (not ((map_counter_group mod 2) = 1)) when map_counter_group_is_equal_2
-        else other_6;
+      map_counter_group_choice_2 := other_0 and (not ((map_counter_group mod 2) = 1)) when map_counter_group_is_equal_2
+        else other_0;
       map_counter_group_is_equal_3 := map_counter_group = 12;
       map_counter_group_choice_3 := 1 when map_counter_next_frame and map_counter_group_is_equal_3 else
         (map_counter_group + 1) mod 16;
@@ -4938,17 +4932,17 @@ begin
         map_counter_group_is_equal_2 else map_counter_next_frame;
       map_counter_next_frame_choice_2 := map_counter_next_frame_choice when map_counter_column_is_equal else
         map_counter_next_frame;
-      map_counter_next_frame_choice_3 := other_6 when map_counter_group_all else other_6 and (not ((other_7 mod 2) =
+      map_counter_next_frame_choice_3 := other_0 when map_counter_group_all else other_0 and (not ((other_4 mod 2) =
         1));
       map_counter_next_frame_choice_4 := map_counter_next_frame_choice_3 when map_counter_next_frame_choice_2 else
-        map_counter_column_is_equal and map_counter_group_is_equal and other_6 and ((other_7 mod 2) = 1);
-      map_line_ended_choice := 255 < other_7 when lastwinner4_tag_valid else map_line_ended;
-      map_at_arrives_value := to_integer(other_3(16 downto 16)) = 1;
+        map_counter_column_is_equal and map_counter_group_is_equal and other_0 and ((other_4 mod 2) = 1);
+      map_line_ended_choice := 255 < other_4 when lastwinner4_tag_valid else map_line_ended;
+      map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
-      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_4 / 4) mod 2) =
+      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_2 / 4) mod 2) =
         1;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_4 / 2) mod
+      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_2 / 2) mod
         2) = 1;
       map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
         map_of_column_0_b_below_a_value_2) when map_of_column_0_b_below_a_choice_2 else not
@@ -4956,27 +4950,27 @@ begin
       map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
         else map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_value_4 := ((other_4 / 8) mod 2) = 1;
+      map_of_column_0_b_below_a_value_4 := ((other_2 / 8) mod 2) = 1;
       map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
         map_of_column_0_b_below_a_value_4) and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else
         map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_value_6 := ((other_4 / 16) mod 2) = 1;
+      map_of_column_0_b_below_a_value_6 := ((other_2 / 16) mod 2) = 1;
       map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
         map_of_column_0_b_below_a_value_6) or map_at_top when map_of_column_0_b_below_a_choice_5 else
         map_of_column_0_b_below_a_value_5 and (not map_of_column_0_b_below_a_value_6) and (not map_at_top);
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_value_8 := ((other_4 / 32) mod 2) = 1;
+      map_of_column_0_b_below_a_value_8 := ((other_2 / 32) mod 2) = 1;
       map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
         map_of_column_0_b_below_a_value_8) or map_at_top when map_of_column_0_b_below_a_choice_6 else
         map_of_column_0_b_below_a_value_7 and (not map_of_column_0_b_below_a_value_8) and (not map_at_top);
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_value_10 := ((other_4 / 64) mod 2) = 1;
+      map_of_column_0_b_below_a_value_10 := ((other_2 / 64) mod 2) = 1;
       map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
         map_of_column_0_b_below_a_value_10) or map_at_top when map_of_column_0_b_below_a_choice_7 else
         map_of_column_0_b_below_a_value_9 and (not map_of_column_0_b_below_a_value_10) and (not map_at_top);
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_value_12 := ((other_4 / 128) mod 2) = 1;
+      map_of_column_0_b_below_a_value_12 := ((other_2 / 128) mod 2) = 1;
       map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
         map_of_column_0_b_below_a_value_12) or map_at_top when map_of_column_0_b_below_a_choice_8 else
         map_of_column_0_b_below_a_value_11 and (not map_of_column_0_b_below_a_value_12) and (not map_at_top);
@@ -5031,7 +5025,7 @@ begin
         map_of_column_0_c_below_a_choice_16) and map_of_column_0_c_below_a_choice_17;
       map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1 when map_read_bottom else (map_column_2 / 256) =
         1;
-      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_4 / 256) = 1;
+      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_2 / 256) = 1;
       map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
         (not map_read_bottom) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and
         (not map_read_bottom) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
@@ -5333,30 +5327,30 @@ begin
       map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
       map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
       map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 4 when other_6 and ((other_7 mod 2) = 1) else
+      map_counter_group <= map_counter_group_choice * 4 when other_0 and ((other_4 mod 2) = 1) else
         map_counter_group_choice_4;
-      map_counter_next_frame <= map_counter_next_frame_choice_4 or ((not other_6) and map_counter_next_frame);
+      map_counter_next_frame <= map_counter_next_frame_choice_4 or ((not other_0) and map_counter_next_frame);
       map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
-      map_arrives <= other_6;
+      map_arrives <= other_0;
       map_behind <= map_line_ended and lastwinner4_tag_valid;
       map_line_ended <= map_line_ended_choice when fill_out_tag_map_column else (not lastwinner4_tag_valid) and
         map_line_ended;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
-      map_read_bottom <= to_integer(other_3(40 downto 40)) = 1;
-      map_write_column <= to_integer(other_3(4 downto 0));
+      map_read_bottom <= to_integer(other_1(40 downto 40)) = 1;
+      map_write_column <= to_integer(other_1(4 downto 0));
       map_column_1 <= map_rows_ready_words_0 / 512;
       map_column_2 <= map_rows_ready_newest_0;
       map_at_arrives <= map_at_arrives_value;
-      map_at_behind <= to_integer(other_3(24 downto 24)) = 1;
-      map_at_top <= to_integer(other_3(32 downto 32)) = 1;
-      map_at_output <= to_integer(other_3(48 downto 48)) = 1;
-      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_4 / 2;
+      map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
+      map_at_top <= to_integer(other_1(32 downto 32)) = 1;
+      map_at_output <= to_integer(other_1(48 downto 48)) = 1;
+      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_2 / 2;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_column_1 / 2 when map_read_bottom else map_column_2 / 2;
-      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_4 / 256) = 1) and (not map_at_top) when
-        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) or ((other_4 / 256) = 1) or map_at_top;
+      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top) when
+        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
       map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20
         when map_of_column_0_c_below_a_choice_18 else (not map_of_column_0_c_below_a_choice_19) and
         map_of_column_0_c_below_a_choice_20;
@@ -5445,7 +5439,7 @@ begin
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
-        map_at_column <= to_integer(other_3(4 downto 0));
+        map_at_column <= to_integer(other_1(4 downto 0));
       end if;
       map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
@@ -5466,18 +5460,19 @@ begin
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number((turn_order_first and turn_order_output
-        and turn_order_complete)) when turn_order_address_all else as_number(traceback_out_tag_end_of_line) * 256;
-      other_1 <= other_0;
-      other_2 <= other_1;
-      other_3 <= other_5;
-      other_4 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
-      other_5 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
+      other_0 <= fill_out_disparity_0_all;
+      other_1 <= other_3;
+      other_2 <= ((map_rows_ready_words_0 mod 512) / 2) * 2;
+      other_3 <= to_unsigned(as_number(((map_counter_group >= 1) and (map_counter_group < 13))), 1) &
         to_unsigned(as_number(map_counter_group_is_equal_3), 8) & to_unsigned(as_number((map_counter_group = 1)), 8) &
         to_unsigned(as_number(map_behind), 8) & to_unsigned(as_number(map_arrives), 8) &
         to_unsigned(map_counter_column, 16);
-      other_6 <= fill_out_disparity_0_all;
-      other_7 <= other_2;
+      other_4 <= other_7;
+      other_5 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
+        traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
+        turn_order_complete));
+      other_6 <= other_5;
+      other_7 <= other_6;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -5677,12 +5672,12 @@ begin
         map_out_valid <= false;
         map_out_start_of_frame <= false;
         map_out_end_of_line <= false;
-        other_0 <= 0;
-        other_1 <= 0;
-        other_2 <= 0;
+        other_0 <= false;
+        other_1 <= to_unsigned(0, 49);
         other_3 <= to_unsigned(0, 49);
-        other_5 <= to_unsigned(0, 49);
-        other_6 <= false;
+        other_4 <= 0;
+        other_5 <= 0;
+        other_6 <= 0;
         other_7 <= 0;
       end if;
     end if;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 39,
       flush_groups => 245,
       gap_groups => 0,
-      core_id => x"bc1016db",
+      core_id => x"633cd4c5",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

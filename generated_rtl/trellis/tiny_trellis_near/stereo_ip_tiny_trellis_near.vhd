@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"f0e0c476",
+      core_id => x"4f1f3595",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -64,7 +64,7 @@ begin
       latency_clocks => 21,
       flush_groups => 122,
       gap_groups => 0,
-      core_id => x"a7b07cbb",
+      core_id => x"e5375dcd",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

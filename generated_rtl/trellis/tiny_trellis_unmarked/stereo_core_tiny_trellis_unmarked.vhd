@@ -524,14 +524,14 @@ architecture rtl of stereo_core_tiny_trellis_unmarked is
   signal fill_out_tag_output_column : boolean;
   -- other
   signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -541,8 +541,32 @@ begin
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_start_of_frame <= as_bit(((other_3 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_end_of_line <= as_bit(((other_3 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_start_of_frame <= as_bit(((other_1 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other_1 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
@@ -583,30 +607,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -919,27 +919,26 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable forward_path_0_value, forward_path_1_any, forward_path_1_value, forward_path_2_any : boolean;
-    variable forward_path_2_value, forward_path_3_any, forward_path_3_value, forward_path_4_any : boolean;
-    variable forward_path_4_value, forward_path_5_any, forward_path_5_value, forward_path_6_any : boolean;
-    variable forward_path_6_value, forward_path_7_any, forward_path_7_value, forward_path_8_any : boolean;
-    variable forward_path_8_value, forward_path_9_any, forward_path_9_value, forward_path_10_any : boolean;
-    variable forward_path_10_value, forward_path_11_any, forward_path_11_value, forward_dropped_0_value : boolean;
-    variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
-    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any, forward_far_1_choice : boolean;
-    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
-    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
-    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
-    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
-    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
-    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
-    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
-    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
-    variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_any, entry_order_turned_output_column_choice, forward_path_0_value : boolean;
+    variable forward_path_1_any, forward_path_1_value, forward_path_2_any, forward_path_2_value : boolean;
+    variable forward_path_3_any, forward_path_3_value, forward_path_4_any, forward_path_4_value : boolean;
+    variable forward_path_5_any, forward_path_5_value, forward_path_6_any, forward_path_6_value : boolean;
+    variable forward_path_7_any, forward_path_7_value, forward_path_8_any, forward_path_8_value : boolean;
+    variable forward_path_9_any, forward_path_9_value, forward_path_10_any, forward_path_10_value : boolean;
+    variable forward_path_11_any, forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value : boolean;
+    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
+    variable forward_dropped_5_value, forward_far_1_any, forward_far_1_choice, forward_far_2_choice : boolean;
+    variable forward_far_3_choice, forward_far_4_choice, forward_far_5_choice, decisions_write_words_0_all : boolean;
+    variable lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
+    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
+    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
+    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
+    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal : boolean;
+    variable traceback_state_is_equal_2, traceback_state_is_equal_3, traceback_state_all : boolean;
+    variable traceback_decision_value, traceback_decision_value_2, traceback_decision_value_3 : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable traceback_decision_choice, traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
     variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
@@ -964,16 +963,15 @@ begin
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
-    variable turn_order_address_choice_4, turn_order_address_choice_6 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice_3 : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_5 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 26;
     variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 26;
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 26;
@@ -4222,14 +4220,11 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
+      entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
+      entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4246,15 +4241,12 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
-        entry_order_complete and ((not slice0_tag_2_map_column) or (not slice0_tag_2_valid));
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
+        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
+        and entry_next_top and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4274,14 +4266,16 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all then
+      if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      if not entry_order_inside then
-        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
-          entry_order_falls;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -4737,47 +4731,40 @@ begin
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_all_2 := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_any := (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address_choice := turn_order_address_any when turn_order_falls else turn_order_address_all_2;
-      turn_order_address_choice_2 := turn_order_falls when turn_order_turned_map_column else turn_order_address_choice;
-      turn_order_address_choice_3 := 7 when turn_order_address_choice_2 else 0;
-      if turn_order_address_all_2 then
-        turn_order_address_choice_4 := turn_order_address_choice_3 * 4;
-      else
-        turn_order_address_choice_4 := turn_order_address;
+      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
       end if;
-      turn_order_address_choice_5 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_6 := turn_order_address_choice_5 when turn_order_address_all_2 else 0;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_address_all
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
         else turn_order_held_output;
-      turn_order_address <= turn_order_address_choice_4 when turn_order_address_all else (turn_order_address_choice_6 +
-        turn_order_address) mod 32;
-      turn_order_inside <= traceback_out_tag_map_column;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_map_column <= traceback_out_tag_map_column;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
-      turn_order_turned_first_column <= turn_order_address_all;
+      turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
-      turn_comes <= turn_order_address_all_2;
-      turn_read_tag_map_column <= turn_order_inside;
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_map_column <= turn_order_turned_map_column;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_first_column <= turn_order_turned_first_column;
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
-      if not turn_order_turned_map_column then
-        turn_order_falls <= turn_order_address_choice;
+      if last_tag_valid then
+        turn_order_inside <= traceback_out_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= traceback_out_tag_output_column;
         turn_order_first <= traceback_out_tag_start_of_frame;
         turn_order_held_output <= turn_order_output and turn_order_complete;
-      end if;
-      if last_tag_valid then
-        turn_order_turned_map_column <= traceback_out_tag_map_column;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
@@ -4790,11 +4777,11 @@ begin
       end if;
       fill_out_tag_output_column <= turn_ready_tag_output_column;
       -- other
-      other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_turned_map_column) and
+      other_0 <= other_3;
+      other_1 <= other_0;
+      other_2 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
         traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
         turn_order_complete));
-      other_1 <= other_0;
-      other_2 <= other_1;
       other_3 <= other_2;
       if reset = '1' then
         transform_valid <= false;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 28,
       flush_groups => 204,
       gap_groups => 0,
-      core_id => x"aa751e4b",
+      core_id => x"51a32a8b",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

@@ -432,14 +432,14 @@ architecture rtl of stereo_core_tiny_trellis_w1 is
   signal fill_out_disparity_0 : natural range 0 to 255;
   signal fill_out_passed_0, fill_out_tag_output_column : boolean;
   -- other
-  signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
-  signal other_4, other_5, other_6, other_7, other_8, other_9, other_10, other_11, other_12 : natural range 0 to 44;
-  signal other_13, other_14, other_15, other_16, other_17, other_18, other_19, other_20 : natural range 0 to 44;
-  signal other_21, other_22, other_23, other_24, other_25, other_26, other_27 : natural range 0 to 44;
-  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal other_0, other_1, other_26, other_27 : natural range 0 to 257;
+  signal other_2, other_3, other_4, other_5, other_6, other_7, other_8, other_9, other_10 : natural range 0 to 44;
+  signal other_11, other_12, other_13, other_14, other_15, other_16, other_17, other_18 : natural range 0 to 44;
+  signal other_19, other_20, other_21, other_22, other_23, other_24, other_25 : natural range 0 to 44;
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -449,16 +449,8 @@ begin
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
   disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_start_of_frame <= as_bit(((other_3 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
-  disparity_end_of_line <= as_bit(((other_3 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
-
-  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
-  decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 24)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_0,
-      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+  disparity_start_of_frame <= as_bit(((other_1 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
+  disparity_end_of_line <= as_bit(((other_1 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
 
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
@@ -483,6 +475,14 @@ begin
       clock => clock, read_enable => true,
       read_address => turn_order_address, read_data => turn_read_words_0,
       write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+
+  decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
+  decisions_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 24)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => entry_order_address, read_data => decisions_read_words_0,
+      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -922,27 +922,26 @@ begin
     variable slice2cost_pixels_first_0_0_count_12_value, slice2cost_pixels_first_0_0_count_12_value_2 : boolean;
     variable slice2cost_pixels_first_0_0_count_12_value_3, slice2cost_pixels_first_0_0_count_13_value : boolean;
     variable slice2cost_pixels_first_0_0_count_13_value_2, slice2cost_pixels_first_0_0_count_13_value_3 : boolean;
-    variable slice2cost_pixels_first_0_0_count_14_value, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_turned_output_column_all, entry_order_turned_output_column_choice : boolean;
-    variable forward_path_0_value, forward_path_1_any, forward_path_1_value, forward_path_2_any : boolean;
-    variable forward_path_2_value, forward_path_3_any, forward_path_3_value, forward_path_4_any : boolean;
-    variable forward_path_4_value, forward_path_5_any, forward_path_5_value, forward_path_6_any : boolean;
-    variable forward_path_6_value, forward_path_7_any, forward_path_7_value, forward_path_8_any : boolean;
-    variable forward_path_8_value, forward_path_9_any, forward_path_9_value, forward_path_10_any : boolean;
-    variable forward_path_10_value, forward_path_11_any, forward_path_11_value, forward_dropped_0_value : boolean;
-    variable forward_dropped_1_value, forward_dropped_2_value, forward_dropped_3_value : boolean;
-    variable forward_dropped_4_value, forward_dropped_5_value, forward_far_1_any, forward_far_1_choice : boolean;
-    variable forward_far_2_choice, forward_far_3_choice, forward_far_4_choice, forward_far_5_choice : boolean;
-    variable decisions_write_words_0_all, lastwinner1_best_cost_0_0_is_less : boolean;
-    variable lastwinner1_best_cost_0_1_is_less, lastwinner1_best_cost_0_2_is_less : boolean;
-    variable lastwinner1_best_cost_0_3_is_less, lastwinner1_best_cost_0_4_is_less : boolean;
-    variable lastwinner1_best_cost_0_5_is_less, lastwinner2_best_cost_0_0_is_less : boolean;
-    variable lastwinner2_best_cost_0_1_is_less, lastwinner2_best_cost_0_2_is_less : boolean;
-    variable lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal, traceback_state_is_equal_2 : boolean;
-    variable traceback_state_is_equal_3, traceback_state_all, traceback_decision_value : boolean;
-    variable traceback_decision_value_2, traceback_decision_value_3, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_address_any, turn_order_address_choice : boolean;
-    variable turn_order_address_choice_2, turn_order_turned_output_column_choice : boolean;
+    variable slice2cost_pixels_first_0_0_count_14_value, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_any, entry_order_turned_output_column_choice, forward_path_0_value : boolean;
+    variable forward_path_1_any, forward_path_1_value, forward_path_2_any, forward_path_2_value : boolean;
+    variable forward_path_3_any, forward_path_3_value, forward_path_4_any, forward_path_4_value : boolean;
+    variable forward_path_5_any, forward_path_5_value, forward_path_6_any, forward_path_6_value : boolean;
+    variable forward_path_7_any, forward_path_7_value, forward_path_8_any, forward_path_8_value : boolean;
+    variable forward_path_9_any, forward_path_9_value, forward_path_10_any, forward_path_10_value : boolean;
+    variable forward_path_11_any, forward_path_11_value, forward_dropped_0_value, forward_dropped_1_value : boolean;
+    variable forward_dropped_2_value, forward_dropped_3_value, forward_dropped_4_value : boolean;
+    variable forward_dropped_5_value, forward_far_1_any, forward_far_1_choice, forward_far_2_choice : boolean;
+    variable forward_far_3_choice, forward_far_4_choice, forward_far_5_choice, decisions_write_words_0_all : boolean;
+    variable lastwinner1_best_cost_0_0_is_less, lastwinner1_best_cost_0_1_is_less : boolean;
+    variable lastwinner1_best_cost_0_2_is_less, lastwinner1_best_cost_0_3_is_less : boolean;
+    variable lastwinner1_best_cost_0_4_is_less, lastwinner1_best_cost_0_5_is_less : boolean;
+    variable lastwinner2_best_cost_0_0_is_less, lastwinner2_best_cost_0_1_is_less : boolean;
+    variable lastwinner2_best_cost_0_2_is_less, lastwinner3_best_cost_0_0_is_less, traceback_state_is_equal : boolean;
+    variable traceback_state_is_equal_2, traceback_state_is_equal_3, traceback_state_all : boolean;
+    variable traceback_decision_value, traceback_decision_value_2, traceback_decision_value_3 : boolean;
+    variable turn_order_address_any, turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
+    variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, traceback_decision_choice : natural range 0 to 3;
     variable traceback_decision_choice_2, traceback_decision_choice_3 : natural range 0 to 3;
     variable traceback_decision_choice_4, traceback_decision_choice_5 : natural range 0 to 3;
@@ -966,8 +965,7 @@ begin
     variable traceback_decision_choice_40, traceback_decision_choice_41 : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_353 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_353, entry_order_address_choice_3 : natural range 0 to 31;
-    variable turn_order_address_choice_4, turn_order_address_choice_6 : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_353 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_354 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_354 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_355 : natural range 0 to 32767;
@@ -982,8 +980,8 @@ begin
     variable transform_right_filter_feature_0_choice_359 : unsigned(33 downto 0);
     variable transform_left_filter_feature_0_choice_360 : unsigned(38 downto 0);
     variable transform_right_filter_feature_0_choice_360 : unsigned(38 downto 0);
-    variable entry_order_address_choice, turn_order_address_choice_3 : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_5 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_pair_cost_0_sum, forward_pair_cost_1_sum, forward_pair_cost_2_sum : natural range 0 to 22;
     variable forward_pair_cost_3_sum, forward_pair_cost_4_sum, forward_pair_cost_5_sum : natural range 0 to 22;
     variable forward_pair_cost_6_sum, forward_pair_cost_7_sum, forward_pair_cost_8_sum : natural range 0 to 22;
@@ -1013,9 +1011,9 @@ begin
     variable traceback_state_sum_3 : natural range 255 to 510;
     variable traceback_state_choice, traceback_state_choice_2, traceback_state_choice_3 : natural range 0 to 255;
     variable fill_out_disparity_0_choice : natural range 0 to 255;
-    variable other_6_choice, other_7_choice, other_13_choice, other_14_choice, other_15_choice : natural range 0 to 11;
-    variable other_16_choice, other_17_choice, other_23_choice, other_24_choice : natural range 0 to 11;
-    variable other_25_choice, other_26_choice, other_27_choice : natural range 0 to 11;
+    variable other_3_choice, other_5_choice, other_7_choice, other_9_choice, other_11_choice : natural range 0 to 11;
+    variable other_13_choice, other_15_choice, other_17_choice, other_19_choice : natural range 0 to 11;
+    variable other_21_choice, other_23_choice, other_25_choice : natural range 0 to 11;
   begin
     if rising_edge(clock) then
       -- transform
@@ -3968,11 +3966,11 @@ begin
       slice0window_tag_start_of_frame <= slice0cost_tag_start_of_frame;
       slice0window_tag_end_of_line <= slice0cost_tag_end_of_line;
       -- slice0
-      slice0_held_0_0 <= other_22 / 4;
-      slice0_held_0_1 <= other_21 / 4;
+      slice0_held_0_0 <= other_24 / 4;
+      slice0_held_0_1 <= other_22 / 4;
       slice0_held_0_2 <= other_20 / 4;
-      slice0_held_0_3 <= other_19 / 4;
-      slice0_held_0_4 <= other_18 / 4;
+      slice0_held_0_3 <= other_18 / 4;
+      slice0_held_0_4 <= other_16 / 4;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -4412,11 +4410,11 @@ begin
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
       -- slice1
-      slice1_held_0_0 <= other_12 / 4;
-      slice1_held_0_1 <= other_11 / 4;
+      slice1_held_0_0 <= other_14 / 4;
+      slice1_held_0_1 <= other_12 / 4;
       slice1_held_0_2 <= other_10 / 4;
-      slice1_held_0_3 <= other_9 / 4;
-      slice1_held_0_4 <= other_8 / 4;
+      slice1_held_0_3 <= other_8 / 4;
+      slice1_held_0_4 <= other_6 / 4;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
@@ -4622,17 +4620,14 @@ begin
       slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
       -- slice2
-      slice2_held_0_0 <= other_5 / 4;
-      slice2_held_0_1 <= other_4 / 4;
+      slice2_held_0_0 <= other_4 / 4;
+      slice2_held_0_1 <= other_2 / 4;
       -- entry
-      entry_order_address_all := (not entry_next_tag_map_column) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_next_tag_map_column;
+      entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_next_tag_map_column);
+      entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4648,16 +4643,13 @@ begin
       entry_next_tag_valid <= slice0_tag_2_valid;
       entry_next_tag_first_cost <= slice0_tag_2_first_cost;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
       entry_order_inside <= slice0_tag_2_map_column;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
-        entry_order_complete and ((not slice0_tag_2_map_column) or (not slice0_tag_2_valid));
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_map_column and
-        slice0_tag_2_valid and entry_next_top and entry_order_complete and entry_order_output;
+      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
+        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not
+        entry_next_tag_map_column) and entry_next_top and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4680,14 +4672,16 @@ begin
       if slice0_tag_2_valid then
         entry_next_tag_map_column <= slice0_tag_2_map_column;
       end if;
-      if entry_order_address_all then
+      if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      if not entry_next_tag_map_column then
-        entry_order_falls <= slice0_tag_2_valid /= entry_order_falls when slice0_tag_2_map_column else
-          entry_order_falls;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       -- forward
       forward_pair_cost_0_sum := entry_cost_0 + forward_next_cost_0;
@@ -5140,47 +5134,40 @@ begin
       traceback_out_tag_start_of_frame <= traceback_tags_held_1_start_of_frame;
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_all_2 := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_address_any := (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address_choice := turn_order_address_any when turn_order_falls else turn_order_address_all_2;
-      turn_order_address_choice_2 := turn_order_falls when turn_order_turned_map_column else turn_order_address_choice;
-      turn_order_address_choice_3 := 7 when turn_order_address_choice_2 else 0;
-      if turn_order_address_all_2 then
-        turn_order_address_choice_4 := turn_order_address_choice_3 * 4;
-      else
-        turn_order_address_choice_4 := turn_order_address;
+      turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
       end if;
-      turn_order_address_choice_5 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_6 := turn_order_address_choice_5 when turn_order_address_all_2 else 0;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_address_all
+      turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
+      turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
         else turn_order_held_output;
-      turn_order_address <= turn_order_address_choice_4 when turn_order_address_all else (turn_order_address_choice_6 +
-        turn_order_address) mod 32;
-      turn_order_inside <= traceback_out_tag_map_column;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
+      turn_order_turned_map_column <= traceback_out_tag_map_column;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
-      turn_order_turned_first_column <= turn_order_address_all;
+      turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
-      turn_comes <= turn_order_address_all_2;
-      turn_read_tag_map_column <= turn_order_inside;
+      turn_comes <= turn_order_complete_all;
+      turn_read_tag_map_column <= turn_order_turned_map_column;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_first_column <= turn_order_turned_first_column;
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
-      if not turn_order_turned_map_column then
-        turn_order_falls <= turn_order_address_choice;
+      if last_tag_valid then
+        turn_order_inside <= traceback_out_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= traceback_out_tag_output_column;
         turn_order_first <= traceback_out_tag_start_of_frame;
         turn_order_held_output <= turn_order_output and turn_order_complete;
-      end if;
-      if last_tag_valid then
-        turn_order_turned_map_column <= traceback_out_tag_map_column;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
@@ -5194,48 +5181,48 @@ begin
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_output_column <= turn_ready_tag_output_column;
       -- other
-      other_6_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_1 / 4;
-      other_7_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_0 / 4;
-      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_4 / 4;
-      other_14_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_3 / 4;
-      other_15_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_2 / 4;
-      other_16_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_1 / 4;
-      other_17_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_0 / 4;
-      other_23_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 / 4;
-      other_24_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 / 4;
-      other_25_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 / 4;
-      other_26_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 / 4;
-      other_27_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 / 4;
-      other_0 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_turned_map_column) and
+      other_3_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_1 / 4;
+      other_5_choice := 0 when slice0window_tag_border_column else slice2cost_single_0_0 / 4;
+      other_7_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_4 / 4;
+      other_9_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_3 / 4;
+      other_11_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_2 / 4;
+      other_13_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_1 / 4;
+      other_15_choice := 0 when slice0cost_tag_border_column else slice1cost_single_0_0 / 4;
+      other_17_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 / 4;
+      other_19_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 / 4;
+      other_21_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 / 4;
+      other_23_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 / 4;
+      other_25_choice := 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 / 4;
+      other_0 <= other_27;
+      other_1 <= other_0;
+      other_2 <= other_3;
+      other_3 <= other_3_choice * 4;
+      other_4 <= other_5;
+      other_5 <= other_5_choice * 4;
+      other_6 <= other_7;
+      other_7 <= other_7_choice * 4;
+      other_8 <= other_9;
+      other_9 <= other_9_choice * 4;
+      other_10 <= other_11;
+      other_11 <= other_11_choice * 4;
+      other_12 <= other_13;
+      other_13 <= other_13_choice * 4;
+      other_14 <= other_15;
+      other_15 <= other_15_choice * 4;
+      other_16 <= other_17;
+      other_17 <= other_17_choice * 4;
+      other_18 <= other_19;
+      other_19 <= other_19_choice * 4;
+      other_20 <= other_21;
+      other_21 <= other_21_choice * 4;
+      other_22 <= other_23;
+      other_23 <= other_23_choice * 4;
+      other_24 <= other_25;
+      other_25 <= other_25_choice * 4;
+      other_26 <= (as_number(traceback_out_tag_end_of_line) * 256) + as_number(((not turn_order_inside) and
         traceback_out_tag_map_column and last_tag_valid and turn_order_first and turn_order_output and
         turn_order_complete));
-      other_1 <= other_0;
-      other_2 <= other_1;
-      other_3 <= other_2;
-      other_4 <= other_6;
-      other_5 <= other_7;
-      other_6 <= other_6_choice * 4;
-      other_7 <= other_7_choice * 4;
-      other_8 <= other_13;
-      other_9 <= other_14;
-      other_10 <= other_15;
-      other_11 <= other_16;
-      other_12 <= other_17;
-      other_13 <= other_13_choice * 4;
-      other_14 <= other_14_choice * 4;
-      other_15 <= other_15_choice * 4;
-      other_16 <= other_16_choice * 4;
-      other_17 <= other_17_choice * 4;
-      other_18 <= other_23;
-      other_19 <= other_24;
-      other_20 <= other_25;
-      other_21 <= other_26;
-      other_22 <= other_27;
-      other_23 <= other_23_choice * 4;
-      other_24 <= other_24_choice * 4;
-      other_25 <= other_25_choice * 4;
-      other_26 <= other_26_choice * 4;
-      other_27 <= other_27_choice * 4;
+      other_27 <= other_26;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -5385,8 +5372,8 @@ begin
         fill_out_tag_output_column <= false;
         other_0 <= 0;
         other_1 <= 0;
-        other_2 <= 0;
-        other_3 <= 0;
+        other_26 <= 0;
+        other_27 <= 0;
       end if;
     end if;
   end process;

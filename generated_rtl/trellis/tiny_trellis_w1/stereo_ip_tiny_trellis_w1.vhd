@@ -64,7 +64,7 @@ begin
       latency_clocks => 26,
       flush_groups => 165,
       gap_groups => 0,
-      core_id => x"d24ef909",
+      core_id => x"bee4f50f",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
