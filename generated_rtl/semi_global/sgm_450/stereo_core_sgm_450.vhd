@@ -2156,6 +2156,10 @@ architecture rtl of stereo_core_sgm_450 is
   -- other
   signal other_0, other_2 : unsigned(48 downto 0);
   signal other_1 : natural range 0 to 126;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_15_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_14_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_13_memory_write_data : unsigned(27 downto 0);
@@ -2233,10 +2237,6 @@ architecture rtl of stereo_core_sgm_450 is
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal map_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -2248,6 +2248,38 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 450, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 450, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 16);
+  map_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 387, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => map_counter_column, read_data => map_rows_read_words_0,
+      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 387, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_15_memory_write_data <= to_unsigned(sums_turn_ready_sums_15, 28);
   sums_sum_delay_held_15_memory : entity work.line_memory
@@ -2671,7 +2703,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_12,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_12_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_12_memory_write_data);
 
   forward_above_delay_held_11_memory_write_data <= to_unsigned(forward_above_total_59, 6) & to_unsigned(forward_above_total_58, 6) & to_unsigned(forward_above_total_57, 6) & to_unsigned(forward_above_total_56, 6) & to_unsigned(forward_above_total_55, 6);
   forward_above_delay_held_11_memory : entity work.line_memory
@@ -2679,7 +2711,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_11,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_11_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_11_memory_write_data);
 
   forward_above_delay_held_10_memory_write_data <= to_unsigned(forward_above_total_54, 6) & to_unsigned(forward_above_total_53, 6) & to_unsigned(forward_above_total_52, 6) & to_unsigned(forward_above_total_51, 6) & to_unsigned(forward_above_total_50, 6);
   forward_above_delay_held_10_memory : entity work.line_memory
@@ -2687,7 +2719,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_10,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_10_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_10_memory_write_data);
 
   forward_above_delay_held_9_memory_write_data <= to_unsigned(forward_above_total_49, 6) & to_unsigned(forward_above_total_48, 6) & to_unsigned(forward_above_total_47, 6) & to_unsigned(forward_above_total_46, 6) & to_unsigned(forward_above_total_45, 6);
   forward_above_delay_held_9_memory : entity work.line_memory
@@ -2695,7 +2727,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_9,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_9_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_9_memory_write_data);
 
   forward_above_delay_held_8_memory_write_data <= to_unsigned(forward_above_total_44, 6) & to_unsigned(forward_above_total_43, 6) & to_unsigned(forward_above_total_42, 6) & to_unsigned(forward_above_total_41, 6) & to_unsigned(forward_above_total_40, 6);
   forward_above_delay_held_8_memory : entity work.line_memory
@@ -2703,7 +2735,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_8,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_8_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_8_memory_write_data);
 
   forward_above_delay_held_7_memory_write_data <= to_unsigned(forward_above_total_39, 6) & to_unsigned(forward_above_total_38, 6) & to_unsigned(forward_above_total_37, 6) & to_unsigned(forward_above_total_36, 6) & to_unsigned(forward_above_total_35, 6);
   forward_above_delay_held_7_memory : entity work.line_memory
@@ -2711,7 +2743,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_7,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_7_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_7_memory_write_data);
 
   forward_above_delay_held_6_memory_write_data <= to_unsigned(forward_above_total_34, 6) & to_unsigned(forward_above_total_33, 6) & to_unsigned(forward_above_total_32, 6) & to_unsigned(forward_above_total_31, 6) & to_unsigned(forward_above_total_30, 6);
   forward_above_delay_held_6_memory : entity work.line_memory
@@ -2719,7 +2751,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_6,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_6_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_6_memory_write_data);
 
   forward_above_delay_held_5_memory_write_data <= to_unsigned(forward_above_total_29, 6) & to_unsigned(forward_above_total_28, 6) & to_unsigned(forward_above_total_27, 6) & to_unsigned(forward_above_total_26, 6) & to_unsigned(forward_above_total_25, 6);
   forward_above_delay_held_5_memory : entity work.line_memory
@@ -2727,7 +2759,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_5,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_5_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_5_memory_write_data);
 
   forward_above_delay_held_4_memory_write_data <= to_unsigned(forward_above_total_24, 6) & to_unsigned(forward_above_total_23, 6) & to_unsigned(forward_above_total_22, 6) & to_unsigned(forward_above_total_21, 6) & to_unsigned(forward_above_total_20, 6);
   forward_above_delay_held_4_memory : entity work.line_memory
@@ -2735,7 +2767,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_4,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_4_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_4_memory_write_data);
 
   forward_above_delay_held_3_memory_write_data <= to_unsigned(forward_above_total_19, 6) & to_unsigned(forward_above_total_18, 6) & to_unsigned(forward_above_total_17, 6) & to_unsigned(forward_above_total_16, 6) & to_unsigned(forward_above_total_15, 6);
   forward_above_delay_held_3_memory : entity work.line_memory
@@ -2743,7 +2775,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_3,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_3_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_3_memory_write_data);
 
   forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_14, 6) & to_unsigned(forward_above_total_13, 6) & to_unsigned(forward_above_total_12, 6) & to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
   forward_above_delay_held_2_memory : entity work.line_memory
@@ -2751,7 +2783,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
@@ -2759,7 +2791,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
@@ -2767,7 +2799,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
   forward_cost_delay_held_7_memory_write_data <= to_unsigned(entry_cost_63, 4) & to_unsigned(entry_cost_62, 4) & to_unsigned(entry_cost_61, 4) & to_unsigned(entry_cost_60, 4) & to_unsigned(entry_cost_59, 4) & to_unsigned(entry_cost_58, 4) & to_unsigned(entry_cost_57, 4) & to_unsigned(entry_cost_56, 4);
   forward_cost_delay_held_7_memory : entity work.line_memory
@@ -2775,7 +2807,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_7,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_7_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_7_memory_write_data);
 
   forward_cost_delay_held_6_memory_write_data <= to_unsigned(entry_cost_55, 4) & to_unsigned(entry_cost_54, 4) & to_unsigned(entry_cost_53, 4) & to_unsigned(entry_cost_52, 4) & to_unsigned(entry_cost_51, 4) & to_unsigned(entry_cost_50, 4) & to_unsigned(entry_cost_49, 4) & to_unsigned(entry_cost_48, 4);
   forward_cost_delay_held_6_memory : entity work.line_memory
@@ -2783,7 +2815,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_6,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_6_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_6_memory_write_data);
 
   forward_cost_delay_held_5_memory_write_data <= to_unsigned(entry_cost_47, 4) & to_unsigned(entry_cost_46, 4) & to_unsigned(entry_cost_45, 4) & to_unsigned(entry_cost_44, 4) & to_unsigned(entry_cost_43, 4) & to_unsigned(entry_cost_42, 4) & to_unsigned(entry_cost_41, 4) & to_unsigned(entry_cost_40, 4);
   forward_cost_delay_held_5_memory : entity work.line_memory
@@ -2791,7 +2823,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_5,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_5_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_5_memory_write_data);
 
   forward_cost_delay_held_4_memory_write_data <= to_unsigned(entry_cost_39, 4) & to_unsigned(entry_cost_38, 4) & to_unsigned(entry_cost_37, 4) & to_unsigned(entry_cost_36, 4) & to_unsigned(entry_cost_35, 4) & to_unsigned(entry_cost_34, 4) & to_unsigned(entry_cost_33, 4) & to_unsigned(entry_cost_32, 4);
   forward_cost_delay_held_4_memory : entity work.line_memory
@@ -2799,7 +2831,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_4,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_4_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_4_memory_write_data);
 
   forward_cost_delay_held_3_memory_write_data <= to_unsigned(entry_cost_31, 4) & to_unsigned(entry_cost_30, 4) & to_unsigned(entry_cost_29, 4) & to_unsigned(entry_cost_28, 4) & to_unsigned(entry_cost_27, 4) & to_unsigned(entry_cost_26, 4) & to_unsigned(entry_cost_25, 4) & to_unsigned(entry_cost_24, 4);
   forward_cost_delay_held_3_memory : entity work.line_memory
@@ -2807,7 +2839,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_3,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_3_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_3_memory_write_data);
 
   forward_cost_delay_held_2_memory_write_data <= to_unsigned(entry_cost_23, 4) & to_unsigned(entry_cost_22, 4) & to_unsigned(entry_cost_21, 4) & to_unsigned(entry_cost_20, 4) & to_unsigned(entry_cost_19, 4) & to_unsigned(entry_cost_18, 4) & to_unsigned(entry_cost_17, 4) & to_unsigned(entry_cost_16, 4);
   forward_cost_delay_held_2_memory : entity work.line_memory
@@ -2815,7 +2847,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
 
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_15, 4) & to_unsigned(entry_cost_14, 4) & to_unsigned(entry_cost_13, 4) & to_unsigned(entry_cost_12, 4) & to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
@@ -2823,7 +2855,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
@@ -2831,7 +2863,7 @@ begin
     port map (
       clock => clock, read_enable => entry_tag_valid,
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
@@ -2864,38 +2896,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 16);
-  map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 387, width => 16)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 387, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -3238,466 +3238,466 @@ begin
     variable slice3cost_pixels_first_2_0_count_5_value_2, slice3cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice3cost_pixels_first_2_0_count_6_value, slice3cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice3cost_pixels_first_2_0_count_6_value_3, slice3cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice3cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_8_choice : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_value : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_4, winnerswinner1_of_pair_0_10_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_pair_0_12_choice : boolean;
-    variable winnerswinner1_of_pair_0_12_choice_2, winnerswinner1_of_pair_0_12_value : boolean;
-    variable winnerswinner1_of_pair_0_12_choice_3, winnerswinner1_of_pair_0_12_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_12_choice_4, winnerswinner1_of_pair_0_12_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_12_choice_5, winnerswinner1_of_pair_0_12_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_12_choice_6, winnerswinner1_of_pair_0_12_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_14_choice, winnerswinner1_of_pair_0_14_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_14_value, winnerswinner1_of_pair_0_14_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_14_value_2, winnerswinner1_of_pair_0_14_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_14_value_3, winnerswinner1_of_pair_0_14_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_14_value_4, winnerswinner1_of_pair_0_14_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_14_choice_7, winnerswinner1_of_pair_0_16_choice : boolean;
-    variable winnerswinner1_of_pair_0_16_choice_2, winnerswinner1_of_pair_0_16_value : boolean;
-    variable winnerswinner1_of_pair_0_16_choice_3, winnerswinner1_of_pair_0_16_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_16_choice_4, winnerswinner1_of_pair_0_16_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_16_choice_5, winnerswinner1_of_pair_0_16_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_16_choice_6, winnerswinner1_of_pair_0_16_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_18_choice, winnerswinner1_of_pair_0_18_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_18_value, winnerswinner1_of_pair_0_18_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_18_value_2, winnerswinner1_of_pair_0_18_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_18_value_3, winnerswinner1_of_pair_0_18_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_18_value_4, winnerswinner1_of_pair_0_18_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_18_choice_7, winnerswinner1_of_pair_0_20_choice : boolean;
-    variable winnerswinner1_of_pair_0_20_choice_2, winnerswinner1_of_pair_0_20_value : boolean;
-    variable winnerswinner1_of_pair_0_20_choice_3, winnerswinner1_of_pair_0_20_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_20_choice_4, winnerswinner1_of_pair_0_20_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_20_choice_5, winnerswinner1_of_pair_0_20_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_20_choice_6, winnerswinner1_of_pair_0_20_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_22_choice, winnerswinner1_of_pair_0_22_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_22_value, winnerswinner1_of_pair_0_22_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_22_value_2, winnerswinner1_of_pair_0_22_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_22_value_3, winnerswinner1_of_pair_0_22_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_22_value_4, winnerswinner1_of_pair_0_22_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_22_choice_7, winnerswinner1_of_pair_0_24_choice : boolean;
-    variable winnerswinner1_of_pair_0_24_choice_2, winnerswinner1_of_pair_0_24_value : boolean;
-    variable winnerswinner1_of_pair_0_24_choice_3, winnerswinner1_of_pair_0_24_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_24_choice_4, winnerswinner1_of_pair_0_24_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_24_choice_5, winnerswinner1_of_pair_0_24_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_24_choice_6, winnerswinner1_of_pair_0_24_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_26_choice, winnerswinner1_of_pair_0_26_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_26_value, winnerswinner1_of_pair_0_26_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_26_value_2, winnerswinner1_of_pair_0_26_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_26_value_3, winnerswinner1_of_pair_0_26_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_26_value_4, winnerswinner1_of_pair_0_26_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_26_choice_7, winnerswinner1_of_pair_0_28_choice : boolean;
-    variable winnerswinner1_of_pair_0_28_choice_2, winnerswinner1_of_pair_0_28_value : boolean;
-    variable winnerswinner1_of_pair_0_28_choice_3, winnerswinner1_of_pair_0_28_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_28_choice_4, winnerswinner1_of_pair_0_28_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_28_choice_5, winnerswinner1_of_pair_0_28_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_28_choice_6, winnerswinner1_of_pair_0_28_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_30_choice, winnerswinner1_of_pair_0_30_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_30_value, winnerswinner1_of_pair_0_30_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_30_value_2, winnerswinner1_of_pair_0_30_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_30_value_3, winnerswinner1_of_pair_0_30_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_30_value_4, winnerswinner1_of_pair_0_30_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_30_choice_7, winnerswinner1_of_pair_0_32_choice : boolean;
-    variable winnerswinner1_of_pair_0_32_choice_2, winnerswinner1_of_pair_0_32_value : boolean;
-    variable winnerswinner1_of_pair_0_32_choice_3, winnerswinner1_of_pair_0_32_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_32_choice_4, winnerswinner1_of_pair_0_32_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_32_choice_5, winnerswinner1_of_pair_0_32_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_32_choice_6, winnerswinner1_of_pair_0_32_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_34_choice, winnerswinner1_of_pair_0_34_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_34_value, winnerswinner1_of_pair_0_34_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_34_value_2, winnerswinner1_of_pair_0_34_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_34_value_3, winnerswinner1_of_pair_0_34_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_34_value_4, winnerswinner1_of_pair_0_34_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_34_choice_7, winnerswinner1_of_pair_0_36_choice : boolean;
-    variable winnerswinner1_of_pair_0_36_choice_2, winnerswinner1_of_pair_0_36_value : boolean;
-    variable winnerswinner1_of_pair_0_36_choice_3, winnerswinner1_of_pair_0_36_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_36_choice_4, winnerswinner1_of_pair_0_36_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_36_choice_5, winnerswinner1_of_pair_0_36_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_36_choice_6, winnerswinner1_of_pair_0_36_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_38_choice, winnerswinner1_of_pair_0_38_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_38_value, winnerswinner1_of_pair_0_38_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_38_value_2, winnerswinner1_of_pair_0_38_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_38_value_3, winnerswinner1_of_pair_0_38_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_38_value_4, winnerswinner1_of_pair_0_38_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_38_choice_7, winnerswinner1_of_pair_0_40_choice : boolean;
-    variable winnerswinner1_of_pair_0_40_choice_2, winnerswinner1_of_pair_0_40_value : boolean;
-    variable winnerswinner1_of_pair_0_40_choice_3, winnerswinner1_of_pair_0_40_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_40_choice_4, winnerswinner1_of_pair_0_40_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_40_choice_5, winnerswinner1_of_pair_0_40_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_40_choice_6, winnerswinner1_of_pair_0_40_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_42_choice, winnerswinner1_of_pair_0_42_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_42_value, winnerswinner1_of_pair_0_42_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_42_value_2, winnerswinner1_of_pair_0_42_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_42_value_3, winnerswinner1_of_pair_0_42_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_42_value_4, winnerswinner1_of_pair_0_42_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_42_choice_7, winnerswinner1_of_pair_0_44_choice : boolean;
-    variable winnerswinner1_of_pair_0_44_choice_2, winnerswinner1_of_pair_0_44_value : boolean;
-    variable winnerswinner1_of_pair_0_44_choice_3, winnerswinner1_of_pair_0_44_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_44_choice_4, winnerswinner1_of_pair_0_44_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_44_choice_5, winnerswinner1_of_pair_0_44_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_44_choice_6, winnerswinner1_of_pair_0_44_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_46_choice, winnerswinner1_of_pair_0_46_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_46_value, winnerswinner1_of_pair_0_46_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_46_value_2, winnerswinner1_of_pair_0_46_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_46_value_3, winnerswinner1_of_pair_0_46_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_46_value_4, winnerswinner1_of_pair_0_46_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_46_choice_7, winnerswinner1_of_pair_0_48_choice : boolean;
-    variable winnerswinner1_of_pair_0_48_choice_2, winnerswinner1_of_pair_0_48_value : boolean;
-    variable winnerswinner1_of_pair_0_48_choice_3, winnerswinner1_of_pair_0_48_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_48_choice_4, winnerswinner1_of_pair_0_48_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_48_choice_5, winnerswinner1_of_pair_0_48_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_48_choice_6, winnerswinner1_of_pair_0_48_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_50_choice, winnerswinner1_of_pair_0_50_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_50_value, winnerswinner1_of_pair_0_50_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_50_value_2, winnerswinner1_of_pair_0_50_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_50_value_3, winnerswinner1_of_pair_0_50_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_50_value_4, winnerswinner1_of_pair_0_50_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_50_choice_7, winnerswinner1_of_pair_0_52_choice : boolean;
-    variable winnerswinner1_of_pair_0_52_choice_2, winnerswinner1_of_pair_0_52_value : boolean;
-    variable winnerswinner1_of_pair_0_52_choice_3, winnerswinner1_of_pair_0_52_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_52_choice_4, winnerswinner1_of_pair_0_52_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_52_choice_5, winnerswinner1_of_pair_0_52_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_52_choice_6, winnerswinner1_of_pair_0_52_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_54_choice, winnerswinner1_of_pair_0_54_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_54_value, winnerswinner1_of_pair_0_54_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_54_value_2, winnerswinner1_of_pair_0_54_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_54_value_3, winnerswinner1_of_pair_0_54_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_54_value_4, winnerswinner1_of_pair_0_54_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_54_choice_7, winnerswinner1_of_pair_0_56_choice : boolean;
-    variable winnerswinner1_of_pair_0_56_choice_2, winnerswinner1_of_pair_0_56_value : boolean;
-    variable winnerswinner1_of_pair_0_56_choice_3, winnerswinner1_of_pair_0_56_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_56_choice_4, winnerswinner1_of_pair_0_56_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_56_choice_5, winnerswinner1_of_pair_0_56_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_56_choice_6, winnerswinner1_of_pair_0_56_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_58_choice, winnerswinner1_of_pair_0_58_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_58_value, winnerswinner1_of_pair_0_58_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_58_value_2, winnerswinner1_of_pair_0_58_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_58_value_3, winnerswinner1_of_pair_0_58_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_58_value_4, winnerswinner1_of_pair_0_58_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_58_choice_7, winnerswinner1_of_pair_0_60_choice : boolean;
-    variable winnerswinner1_of_pair_0_60_choice_2, winnerswinner1_of_pair_0_60_value : boolean;
-    variable winnerswinner1_of_pair_0_60_choice_3, winnerswinner1_of_pair_0_60_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_60_choice_4, winnerswinner1_of_pair_0_60_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_60_choice_5, winnerswinner1_of_pair_0_60_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_60_choice_6, winnerswinner1_of_pair_0_60_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_62_choice, winnerswinner1_of_pair_0_62_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_62_value, winnerswinner1_of_pair_0_62_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_62_value_2, winnerswinner1_of_pair_0_62_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_62_value_3, winnerswinner1_of_pair_0_62_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_62_value_4, winnerswinner1_of_pair_0_62_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_62_choice_7, winnerswinner1_of_four_0_0_choice : boolean;
-    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_7 : boolean;
-    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_7, winnerswinner1_of_four_0_8_choice : boolean;
-    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_7 : boolean;
-    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner1_of_four_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_12_choice, winnerswinner1_of_four_0_12_value : boolean;
-    variable winnerswinner1_of_four_0_12_value_2, winnerswinner1_of_four_0_12_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_12_value_3, winnerswinner1_of_four_0_12_value_4 : boolean;
-    variable winnerswinner1_of_four_0_12_choice_3, winnerswinner1_of_four_0_12_value_5 : boolean;
-    variable winnerswinner1_of_four_0_12_value_6, winnerswinner1_of_four_0_12_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_12_value_7, winnerswinner1_of_four_0_12_value_8 : boolean;
-    variable winnerswinner1_of_four_0_12_choice_5, winnerswinner1_of_four_0_12_value_9 : boolean;
-    variable winnerswinner1_of_four_0_12_value_10, winnerswinner1_of_four_0_12_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_12_choice_7, winnerswinner1_of_four_0_16_choice : boolean;
-    variable winnerswinner1_of_four_0_16_value, winnerswinner1_of_four_0_16_value_2 : boolean;
-    variable winnerswinner1_of_four_0_16_choice_2, winnerswinner1_of_four_0_16_value_3 : boolean;
-    variable winnerswinner1_of_four_0_16_value_4, winnerswinner1_of_four_0_16_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_16_value_5, winnerswinner1_of_four_0_16_value_6 : boolean;
-    variable winnerswinner1_of_four_0_16_choice_4, winnerswinner1_of_four_0_16_value_7 : boolean;
-    variable winnerswinner1_of_four_0_16_value_8, winnerswinner1_of_four_0_16_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_16_value_9, winnerswinner1_of_four_0_16_value_10 : boolean;
-    variable winnerswinner1_of_four_0_16_choice_6, winnerswinner1_of_four_0_16_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_20_choice, winnerswinner1_of_four_0_20_value : boolean;
-    variable winnerswinner1_of_four_0_20_value_2, winnerswinner1_of_four_0_20_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_20_value_3, winnerswinner1_of_four_0_20_value_4 : boolean;
-    variable winnerswinner1_of_four_0_20_choice_3, winnerswinner1_of_four_0_20_value_5 : boolean;
-    variable winnerswinner1_of_four_0_20_value_6, winnerswinner1_of_four_0_20_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_20_value_7, winnerswinner1_of_four_0_20_value_8 : boolean;
-    variable winnerswinner1_of_four_0_20_choice_5, winnerswinner1_of_four_0_20_value_9 : boolean;
-    variable winnerswinner1_of_four_0_20_value_10, winnerswinner1_of_four_0_20_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_20_choice_7, winnerswinner1_of_four_0_24_choice : boolean;
-    variable winnerswinner1_of_four_0_24_value, winnerswinner1_of_four_0_24_value_2 : boolean;
-    variable winnerswinner1_of_four_0_24_choice_2, winnerswinner1_of_four_0_24_value_3 : boolean;
-    variable winnerswinner1_of_four_0_24_value_4, winnerswinner1_of_four_0_24_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_24_value_5, winnerswinner1_of_four_0_24_value_6 : boolean;
-    variable winnerswinner1_of_four_0_24_choice_4, winnerswinner1_of_four_0_24_value_7 : boolean;
-    variable winnerswinner1_of_four_0_24_value_8, winnerswinner1_of_four_0_24_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_24_value_9, winnerswinner1_of_four_0_24_value_10 : boolean;
-    variable winnerswinner1_of_four_0_24_choice_6, winnerswinner1_of_four_0_24_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_28_choice, winnerswinner1_of_four_0_28_value : boolean;
-    variable winnerswinner1_of_four_0_28_value_2, winnerswinner1_of_four_0_28_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_28_value_3, winnerswinner1_of_four_0_28_value_4 : boolean;
-    variable winnerswinner1_of_four_0_28_choice_3, winnerswinner1_of_four_0_28_value_5 : boolean;
-    variable winnerswinner1_of_four_0_28_value_6, winnerswinner1_of_four_0_28_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_28_value_7, winnerswinner1_of_four_0_28_value_8 : boolean;
-    variable winnerswinner1_of_four_0_28_choice_5, winnerswinner1_of_four_0_28_value_9 : boolean;
-    variable winnerswinner1_of_four_0_28_value_10, winnerswinner1_of_four_0_28_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_28_choice_7, winnerswinner1_of_four_0_32_choice : boolean;
-    variable winnerswinner1_of_four_0_32_value, winnerswinner1_of_four_0_32_value_2 : boolean;
-    variable winnerswinner1_of_four_0_32_choice_2, winnerswinner1_of_four_0_32_value_3 : boolean;
-    variable winnerswinner1_of_four_0_32_value_4, winnerswinner1_of_four_0_32_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_32_value_5, winnerswinner1_of_four_0_32_value_6 : boolean;
-    variable winnerswinner1_of_four_0_32_choice_4, winnerswinner1_of_four_0_32_value_7 : boolean;
-    variable winnerswinner1_of_four_0_32_value_8, winnerswinner1_of_four_0_32_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_32_value_9, winnerswinner1_of_four_0_32_value_10 : boolean;
-    variable winnerswinner1_of_four_0_32_choice_6, winnerswinner1_of_four_0_32_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_36_choice, winnerswinner1_of_four_0_36_value : boolean;
-    variable winnerswinner1_of_four_0_36_value_2, winnerswinner1_of_four_0_36_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_36_value_3, winnerswinner1_of_four_0_36_value_4 : boolean;
-    variable winnerswinner1_of_four_0_36_choice_3, winnerswinner1_of_four_0_36_value_5 : boolean;
-    variable winnerswinner1_of_four_0_36_value_6, winnerswinner1_of_four_0_36_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_36_value_7, winnerswinner1_of_four_0_36_value_8 : boolean;
-    variable winnerswinner1_of_four_0_36_choice_5, winnerswinner1_of_four_0_36_value_9 : boolean;
-    variable winnerswinner1_of_four_0_36_value_10, winnerswinner1_of_four_0_36_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_36_choice_7, winnerswinner1_of_four_0_40_choice : boolean;
-    variable winnerswinner1_of_four_0_40_value, winnerswinner1_of_four_0_40_value_2 : boolean;
-    variable winnerswinner1_of_four_0_40_choice_2, winnerswinner1_of_four_0_40_value_3 : boolean;
-    variable winnerswinner1_of_four_0_40_value_4, winnerswinner1_of_four_0_40_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_40_value_5, winnerswinner1_of_four_0_40_value_6 : boolean;
-    variable winnerswinner1_of_four_0_40_choice_4, winnerswinner1_of_four_0_40_value_7 : boolean;
-    variable winnerswinner1_of_four_0_40_value_8, winnerswinner1_of_four_0_40_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_40_value_9, winnerswinner1_of_four_0_40_value_10 : boolean;
-    variable winnerswinner1_of_four_0_40_choice_6, winnerswinner1_of_four_0_40_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_44_choice, winnerswinner1_of_four_0_44_value : boolean;
-    variable winnerswinner1_of_four_0_44_value_2, winnerswinner1_of_four_0_44_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_44_value_3, winnerswinner1_of_four_0_44_value_4 : boolean;
-    variable winnerswinner1_of_four_0_44_choice_3, winnerswinner1_of_four_0_44_value_5 : boolean;
-    variable winnerswinner1_of_four_0_44_value_6, winnerswinner1_of_four_0_44_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_44_value_7, winnerswinner1_of_four_0_44_value_8 : boolean;
-    variable winnerswinner1_of_four_0_44_choice_5, winnerswinner1_of_four_0_44_value_9 : boolean;
-    variable winnerswinner1_of_four_0_44_value_10, winnerswinner1_of_four_0_44_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_44_choice_7, winnerswinner1_of_four_0_48_choice : boolean;
-    variable winnerswinner1_of_four_0_48_value, winnerswinner1_of_four_0_48_value_2 : boolean;
-    variable winnerswinner1_of_four_0_48_choice_2, winnerswinner1_of_four_0_48_value_3 : boolean;
-    variable winnerswinner1_of_four_0_48_value_4, winnerswinner1_of_four_0_48_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_48_value_5, winnerswinner1_of_four_0_48_value_6 : boolean;
-    variable winnerswinner1_of_four_0_48_choice_4, winnerswinner1_of_four_0_48_value_7 : boolean;
-    variable winnerswinner1_of_four_0_48_value_8, winnerswinner1_of_four_0_48_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_48_value_9, winnerswinner1_of_four_0_48_value_10 : boolean;
-    variable winnerswinner1_of_four_0_48_choice_6, winnerswinner1_of_four_0_48_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_52_choice, winnerswinner1_of_four_0_52_value : boolean;
-    variable winnerswinner1_of_four_0_52_value_2, winnerswinner1_of_four_0_52_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_52_value_3, winnerswinner1_of_four_0_52_value_4 : boolean;
-    variable winnerswinner1_of_four_0_52_choice_3, winnerswinner1_of_four_0_52_value_5 : boolean;
-    variable winnerswinner1_of_four_0_52_value_6, winnerswinner1_of_four_0_52_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_52_value_7, winnerswinner1_of_four_0_52_value_8 : boolean;
-    variable winnerswinner1_of_four_0_52_choice_5, winnerswinner1_of_four_0_52_value_9 : boolean;
-    variable winnerswinner1_of_four_0_52_value_10, winnerswinner1_of_four_0_52_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_52_choice_7, winnerswinner1_of_four_0_56_choice : boolean;
-    variable winnerswinner1_of_four_0_56_value, winnerswinner1_of_four_0_56_value_2 : boolean;
-    variable winnerswinner1_of_four_0_56_choice_2, winnerswinner1_of_four_0_56_value_3 : boolean;
-    variable winnerswinner1_of_four_0_56_value_4, winnerswinner1_of_four_0_56_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_56_value_5, winnerswinner1_of_four_0_56_value_6 : boolean;
-    variable winnerswinner1_of_four_0_56_choice_4, winnerswinner1_of_four_0_56_value_7 : boolean;
-    variable winnerswinner1_of_four_0_56_value_8, winnerswinner1_of_four_0_56_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_56_value_9, winnerswinner1_of_four_0_56_value_10 : boolean;
-    variable winnerswinner1_of_four_0_56_choice_6, winnerswinner1_of_four_0_56_choice_7 : boolean;
-    variable winnerswinner1_of_four_0_60_choice, winnerswinner1_of_four_0_60_value : boolean;
-    variable winnerswinner1_of_four_0_60_value_2, winnerswinner1_of_four_0_60_choice_2 : boolean;
-    variable winnerswinner1_of_four_0_60_value_3, winnerswinner1_of_four_0_60_value_4 : boolean;
-    variable winnerswinner1_of_four_0_60_choice_3, winnerswinner1_of_four_0_60_value_5 : boolean;
-    variable winnerswinner1_of_four_0_60_value_6, winnerswinner1_of_four_0_60_choice_4 : boolean;
-    variable winnerswinner1_of_four_0_60_value_7, winnerswinner1_of_four_0_60_value_8 : boolean;
-    variable winnerswinner1_of_four_0_60_choice_5, winnerswinner1_of_four_0_60_value_9 : boolean;
-    variable winnerswinner1_of_four_0_60_value_10, winnerswinner1_of_four_0_60_choice_6 : boolean;
-    variable winnerswinner1_of_four_0_60_choice_7, winnerswinner2_of_pair_0_0_choice : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_2_choice, winnerswinner2_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_2_value, winnerswinner2_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_2_value_2, winnerswinner2_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_2_value_3, winnerswinner2_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_2_value_4, winnerswinner2_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_2_choice_7, winnerswinner2_of_pair_0_4_choice : boolean;
-    variable winnerswinner2_of_pair_0_4_choice_2, winnerswinner2_of_pair_0_4_value : boolean;
-    variable winnerswinner2_of_pair_0_4_choice_3, winnerswinner2_of_pair_0_4_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_4_choice_4, winnerswinner2_of_pair_0_4_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_4_choice_5, winnerswinner2_of_pair_0_4_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_4_choice_6, winnerswinner2_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_6_choice, winnerswinner2_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_6_value, winnerswinner2_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_6_value_2, winnerswinner2_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_6_value_3, winnerswinner2_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_6_value_4, winnerswinner2_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_6_choice_7, winnerswinner2_of_pair_0_8_choice : boolean;
-    variable winnerswinner2_of_pair_0_8_choice_2, winnerswinner2_of_pair_0_8_value : boolean;
-    variable winnerswinner2_of_pair_0_8_choice_3, winnerswinner2_of_pair_0_8_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_8_choice_4, winnerswinner2_of_pair_0_8_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_8_choice_5, winnerswinner2_of_pair_0_8_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_8_choice_6, winnerswinner2_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_10_choice, winnerswinner2_of_pair_0_10_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_10_value, winnerswinner2_of_pair_0_10_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_10_value_2, winnerswinner2_of_pair_0_10_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_10_value_3, winnerswinner2_of_pair_0_10_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_10_value_4, winnerswinner2_of_pair_0_10_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_10_choice_7, winnerswinner2_of_pair_0_12_choice : boolean;
-    variable winnerswinner2_of_pair_0_12_choice_2, winnerswinner2_of_pair_0_12_value : boolean;
-    variable winnerswinner2_of_pair_0_12_choice_3, winnerswinner2_of_pair_0_12_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_12_choice_4, winnerswinner2_of_pair_0_12_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_12_choice_5, winnerswinner2_of_pair_0_12_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_12_choice_6, winnerswinner2_of_pair_0_12_choice_7 : boolean;
-    variable winnerswinner2_of_pair_0_14_choice, winnerswinner2_of_pair_0_14_choice_2 : boolean;
-    variable winnerswinner2_of_pair_0_14_value, winnerswinner2_of_pair_0_14_choice_3 : boolean;
-    variable winnerswinner2_of_pair_0_14_value_2, winnerswinner2_of_pair_0_14_choice_4 : boolean;
-    variable winnerswinner2_of_pair_0_14_value_3, winnerswinner2_of_pair_0_14_choice_5 : boolean;
-    variable winnerswinner2_of_pair_0_14_value_4, winnerswinner2_of_pair_0_14_choice_6 : boolean;
-    variable winnerswinner2_of_pair_0_14_choice_7, winnerswinner2_of_four_0_0_choice : boolean;
-    variable winnerswinner2_of_four_0_0_value, winnerswinner2_of_four_0_0_value_2 : boolean;
-    variable winnerswinner2_of_four_0_0_choice_2, winnerswinner2_of_four_0_0_value_3 : boolean;
-    variable winnerswinner2_of_four_0_0_value_4, winnerswinner2_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner2_of_four_0_0_value_5, winnerswinner2_of_four_0_0_value_6 : boolean;
-    variable winnerswinner2_of_four_0_0_choice_4, winnerswinner2_of_four_0_0_value_7 : boolean;
-    variable winnerswinner2_of_four_0_0_value_8, winnerswinner2_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner2_of_four_0_0_value_9, winnerswinner2_of_four_0_0_value_10 : boolean;
-    variable winnerswinner2_of_four_0_0_choice_6, winnerswinner2_of_four_0_0_choice_7 : boolean;
-    variable winnerswinner2_of_four_0_4_choice, winnerswinner2_of_four_0_4_value : boolean;
-    variable winnerswinner2_of_four_0_4_value_2, winnerswinner2_of_four_0_4_choice_2 : boolean;
-    variable winnerswinner2_of_four_0_4_value_3, winnerswinner2_of_four_0_4_value_4 : boolean;
-    variable winnerswinner2_of_four_0_4_choice_3, winnerswinner2_of_four_0_4_value_5 : boolean;
-    variable winnerswinner2_of_four_0_4_value_6, winnerswinner2_of_four_0_4_choice_4 : boolean;
-    variable winnerswinner2_of_four_0_4_value_7, winnerswinner2_of_four_0_4_value_8 : boolean;
-    variable winnerswinner2_of_four_0_4_choice_5, winnerswinner2_of_four_0_4_value_9 : boolean;
-    variable winnerswinner2_of_four_0_4_value_10, winnerswinner2_of_four_0_4_choice_6 : boolean;
-    variable winnerswinner2_of_four_0_4_choice_7, winnerswinner2_of_four_0_8_choice : boolean;
-    variable winnerswinner2_of_four_0_8_value, winnerswinner2_of_four_0_8_value_2 : boolean;
-    variable winnerswinner2_of_four_0_8_choice_2, winnerswinner2_of_four_0_8_value_3 : boolean;
-    variable winnerswinner2_of_four_0_8_value_4, winnerswinner2_of_four_0_8_choice_3 : boolean;
-    variable winnerswinner2_of_four_0_8_value_5, winnerswinner2_of_four_0_8_value_6 : boolean;
-    variable winnerswinner2_of_four_0_8_choice_4, winnerswinner2_of_four_0_8_value_7 : boolean;
-    variable winnerswinner2_of_four_0_8_value_8, winnerswinner2_of_four_0_8_choice_5 : boolean;
-    variable winnerswinner2_of_four_0_8_value_9, winnerswinner2_of_four_0_8_value_10 : boolean;
-    variable winnerswinner2_of_four_0_8_choice_6, winnerswinner2_of_four_0_8_choice_7 : boolean;
-    variable winnerswinner2_of_four_0_12_choice, winnerswinner2_of_four_0_12_value : boolean;
-    variable winnerswinner2_of_four_0_12_value_2, winnerswinner2_of_four_0_12_choice_2 : boolean;
-    variable winnerswinner2_of_four_0_12_value_3, winnerswinner2_of_four_0_12_value_4 : boolean;
-    variable winnerswinner2_of_four_0_12_choice_3, winnerswinner2_of_four_0_12_value_5 : boolean;
-    variable winnerswinner2_of_four_0_12_value_6, winnerswinner2_of_four_0_12_choice_4 : boolean;
-    variable winnerswinner2_of_four_0_12_value_7, winnerswinner2_of_four_0_12_value_8 : boolean;
-    variable winnerswinner2_of_four_0_12_choice_5, winnerswinner2_of_four_0_12_value_9 : boolean;
-    variable winnerswinner2_of_four_0_12_value_10, winnerswinner2_of_four_0_12_choice_6 : boolean;
-    variable winnerswinner2_of_four_0_12_choice_7, winnerswinner3_of_pair_0_0_choice : boolean;
-    variable winnerswinner3_of_pair_0_0_choice_2, winnerswinner3_of_pair_0_0_value : boolean;
-    variable winnerswinner3_of_pair_0_0_choice_3, winnerswinner3_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner3_of_pair_0_0_choice_4, winnerswinner3_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner3_of_pair_0_0_choice_5, winnerswinner3_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner3_of_pair_0_0_choice_6, winnerswinner3_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner3_of_pair_0_2_choice, winnerswinner3_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner3_of_pair_0_2_value, winnerswinner3_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner3_of_pair_0_2_value_2, winnerswinner3_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner3_of_pair_0_2_value_3, winnerswinner3_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner3_of_pair_0_2_value_4, winnerswinner3_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner3_of_pair_0_2_choice_7, winnerswinner3_four_index_0_0_choice : boolean;
-    variable winnerswinner3_four_index_0_0_value, winnerswinner3_four_index_0_0_value_2 : boolean;
-    variable winnerswinner3_four_index_0_0_choice_2, winnerswinner3_four_index_0_0_value_3 : boolean;
-    variable winnerswinner3_four_index_0_0_value_4, winnerswinner3_four_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_four_index_0_0_value_5, winnerswinner3_four_index_0_0_value_6 : boolean;
-    variable winnerswinner3_four_index_0_0_choice_4, winnerswinner3_four_index_0_0_value_7 : boolean;
-    variable winnerswinner3_four_index_0_0_value_8, winnerswinner3_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_four_index_0_0_value_9, winnerswinner3_four_index_0_0_value_10 : boolean;
-    variable winnerswinner3_four_index_0_0_choice_6, winnerswinner3_four_index_0_0_choice_7 : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_complete_any : boolean;
-    variable turn_ready_tag_row_start_differs, turn_ready_tag_row_start_is_equal : boolean;
-    variable turn_ready_tag_row_start_choice, turn_ready_tag_row_start_choice_2 : boolean;
-    variable turn_ready_tag_row_start_is_equal_2, turn_ready_tag_row_start_all : boolean;
-    variable turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2, map_counter_group_is_equal : boolean;
-    variable map_line_ended_choice, map_at_arrives_value, map_of_column_0_b_below_a_value : boolean;
-    variable map_of_column_0_b_below_a_choice, map_of_column_0_b_below_a_value_2 : boolean;
-    variable map_of_column_0_b_below_a_choice_2, map_of_column_0_b_below_a_choice_3 : boolean;
-    variable map_of_column_0_b_below_a_choice_4, map_of_column_0_b_below_a_value_3 : boolean;
-    variable map_of_column_0_b_below_a_value_4, map_of_column_0_b_below_a_choice_5 : boolean;
-    variable map_of_column_0_b_below_a_value_5, map_of_column_0_b_below_a_value_6 : boolean;
-    variable map_of_column_0_b_below_a_choice_6, map_of_column_0_b_below_a_value_7 : boolean;
-    variable map_of_column_0_b_below_a_value_8, map_of_column_0_b_below_a_choice_7 : boolean;
-    variable map_of_column_0_c_below_a_value, map_of_column_0_c_below_a_choice : boolean;
-    variable map_of_column_0_c_below_a_value_2, map_of_column_0_c_below_a_choice_2 : boolean;
-    variable map_of_column_0_c_below_a_choice_3, map_of_column_0_c_below_a_value_3 : boolean;
-    variable map_of_column_0_c_below_a_choice_4, map_of_column_0_c_below_a_choice_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_6, map_of_column_0_c_below_a_value_4 : boolean;
-    variable map_of_column_0_c_below_a_choice_7, map_of_column_0_c_below_a_choice_8 : boolean;
-    variable map_of_column_0_c_below_a_choice_9, map_of_column_0_c_below_a_value_5 : boolean;
-    variable map_of_column_0_c_below_a_choice_10, map_of_column_0_c_below_a_choice_11 : boolean;
-    variable map_of_column_0_c_below_a_choice_12, map_of_column_0_c_below_a_choice_13 : boolean;
-    variable map_of_column_0_c_below_a_choice_14, map_of_column_0_c_below_b_choice : boolean;
-    variable map_of_column_0_c_below_b_choice_2, map_of_column_0_c_below_b_choice_3 : boolean;
-    variable map_of_column_0_c_below_b_choice_4, map_window_complete_is_equal, map_window_complete_choice : boolean;
-    variable map_of_low_0_b_below_a_value, map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal : boolean;
-    variable map_of_low_0_b_below_a_choice_2, map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3 : boolean;
-    variable map_of_low_0_b_below_a_choice_3, map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5 : boolean;
-    variable map_of_low_0_b_below_a_choice_4, map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7 : boolean;
-    variable map_of_low_0_b_below_a_choice_5, map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice : boolean;
-    variable map_of_low_0_c_below_a_choice_2, map_of_low_0_c_below_a_choice_3 : boolean;
-    variable map_of_low_0_c_below_a_choice_4, map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_b_choice : boolean;
-    variable map_of_low_0_c_below_b_choice_2, map_of_low_0_c_below_b_choice_3 : boolean;
-    variable map_of_low_0_c_below_b_choice_4, map_of_low_0_c_below_b_choice_5 : boolean;
-    variable map_of_middle_0_b_below_a_value, map_of_middle_0_b_below_a_choice : boolean;
-    variable map_of_middle_0_b_below_a_is_equal, map_of_middle_0_b_below_a_choice_2 : boolean;
-    variable map_of_middle_0_b_below_a_value_2, map_of_middle_0_b_below_a_value_3 : boolean;
-    variable map_of_middle_0_b_below_a_choice_3, map_of_middle_0_b_below_a_value_4 : boolean;
-    variable map_of_middle_0_b_below_a_value_5, map_of_middle_0_b_below_a_choice_4 : boolean;
-    variable map_of_middle_0_b_below_a_value_6, map_of_middle_0_b_below_a_value_7 : boolean;
-    variable map_of_middle_0_b_below_a_choice_5, map_of_middle_0_c_below_a_value : boolean;
-    variable map_of_middle_0_c_below_a_choice, map_of_middle_0_c_below_a_choice_2 : boolean;
-    variable map_of_middle_0_c_below_a_choice_3, map_of_middle_0_c_below_a_choice_4 : boolean;
-    variable map_of_middle_0_c_below_a_choice_5, map_of_middle_0_c_below_b_choice : boolean;
-    variable map_of_middle_0_c_below_b_choice_2, map_of_middle_0_c_below_b_choice_3 : boolean;
-    variable map_of_middle_0_c_below_b_choice_4, map_of_middle_0_c_below_b_choice_5 : boolean;
-    variable map_of_high_0_b_below_a_value, map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
+    variable slice3cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_12_choice, winnerswinner1_of_pair_0_12_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_12_value, winnerswinner1_of_pair_0_12_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_12_value_2, winnerswinner1_of_pair_0_12_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_12_value_3, winnerswinner1_of_pair_0_12_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_12_value_4, winnerswinner1_of_pair_0_12_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_12_choice_7, winnerswinner1_of_pair_0_14_choice : boolean;
+    variable winnerswinner1_of_pair_0_14_choice_2, winnerswinner1_of_pair_0_14_value : boolean;
+    variable winnerswinner1_of_pair_0_14_choice_3, winnerswinner1_of_pair_0_14_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_14_choice_4, winnerswinner1_of_pair_0_14_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_14_choice_5, winnerswinner1_of_pair_0_14_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_14_choice_6, winnerswinner1_of_pair_0_14_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_16_choice, winnerswinner1_of_pair_0_16_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_16_value, winnerswinner1_of_pair_0_16_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_16_value_2, winnerswinner1_of_pair_0_16_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_16_value_3, winnerswinner1_of_pair_0_16_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_16_value_4, winnerswinner1_of_pair_0_16_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_16_choice_7, winnerswinner1_of_pair_0_18_choice : boolean;
+    variable winnerswinner1_of_pair_0_18_choice_2, winnerswinner1_of_pair_0_18_value : boolean;
+    variable winnerswinner1_of_pair_0_18_choice_3, winnerswinner1_of_pair_0_18_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_18_choice_4, winnerswinner1_of_pair_0_18_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_18_choice_5, winnerswinner1_of_pair_0_18_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_18_choice_6, winnerswinner1_of_pair_0_18_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_20_choice, winnerswinner1_of_pair_0_20_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_20_value, winnerswinner1_of_pair_0_20_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_20_value_2, winnerswinner1_of_pair_0_20_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_20_value_3, winnerswinner1_of_pair_0_20_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_20_value_4, winnerswinner1_of_pair_0_20_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_20_choice_7, winnerswinner1_of_pair_0_22_choice : boolean;
+    variable winnerswinner1_of_pair_0_22_choice_2, winnerswinner1_of_pair_0_22_value : boolean;
+    variable winnerswinner1_of_pair_0_22_choice_3, winnerswinner1_of_pair_0_22_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_22_choice_4, winnerswinner1_of_pair_0_22_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_22_choice_5, winnerswinner1_of_pair_0_22_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_22_choice_6, winnerswinner1_of_pair_0_22_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_24_choice, winnerswinner1_of_pair_0_24_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_24_value, winnerswinner1_of_pair_0_24_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_24_value_2, winnerswinner1_of_pair_0_24_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_24_value_3, winnerswinner1_of_pair_0_24_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_24_value_4, winnerswinner1_of_pair_0_24_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_24_choice_7, winnerswinner1_of_pair_0_26_choice : boolean;
+    variable winnerswinner1_of_pair_0_26_choice_2, winnerswinner1_of_pair_0_26_value : boolean;
+    variable winnerswinner1_of_pair_0_26_choice_3, winnerswinner1_of_pair_0_26_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_26_choice_4, winnerswinner1_of_pair_0_26_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_26_choice_5, winnerswinner1_of_pair_0_26_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_26_choice_6, winnerswinner1_of_pair_0_26_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_28_choice, winnerswinner1_of_pair_0_28_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_28_value, winnerswinner1_of_pair_0_28_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_28_value_2, winnerswinner1_of_pair_0_28_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_28_value_3, winnerswinner1_of_pair_0_28_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_28_value_4, winnerswinner1_of_pair_0_28_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_28_choice_7, winnerswinner1_of_pair_0_30_choice : boolean;
+    variable winnerswinner1_of_pair_0_30_choice_2, winnerswinner1_of_pair_0_30_value : boolean;
+    variable winnerswinner1_of_pair_0_30_choice_3, winnerswinner1_of_pair_0_30_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_30_choice_4, winnerswinner1_of_pair_0_30_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_30_choice_5, winnerswinner1_of_pair_0_30_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_30_choice_6, winnerswinner1_of_pair_0_30_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_32_choice, winnerswinner1_of_pair_0_32_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_32_value, winnerswinner1_of_pair_0_32_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_32_value_2, winnerswinner1_of_pair_0_32_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_32_value_3, winnerswinner1_of_pair_0_32_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_32_value_4, winnerswinner1_of_pair_0_32_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_32_choice_7, winnerswinner1_of_pair_0_34_choice : boolean;
+    variable winnerswinner1_of_pair_0_34_choice_2, winnerswinner1_of_pair_0_34_value : boolean;
+    variable winnerswinner1_of_pair_0_34_choice_3, winnerswinner1_of_pair_0_34_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_34_choice_4, winnerswinner1_of_pair_0_34_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_34_choice_5, winnerswinner1_of_pair_0_34_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_34_choice_6, winnerswinner1_of_pair_0_34_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_36_choice, winnerswinner1_of_pair_0_36_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_36_value, winnerswinner1_of_pair_0_36_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_36_value_2, winnerswinner1_of_pair_0_36_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_36_value_3, winnerswinner1_of_pair_0_36_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_36_value_4, winnerswinner1_of_pair_0_36_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_36_choice_7, winnerswinner1_of_pair_0_38_choice : boolean;
+    variable winnerswinner1_of_pair_0_38_choice_2, winnerswinner1_of_pair_0_38_value : boolean;
+    variable winnerswinner1_of_pair_0_38_choice_3, winnerswinner1_of_pair_0_38_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_38_choice_4, winnerswinner1_of_pair_0_38_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_38_choice_5, winnerswinner1_of_pair_0_38_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_38_choice_6, winnerswinner1_of_pair_0_38_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_40_choice, winnerswinner1_of_pair_0_40_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_40_value, winnerswinner1_of_pair_0_40_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_40_value_2, winnerswinner1_of_pair_0_40_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_40_value_3, winnerswinner1_of_pair_0_40_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_40_value_4, winnerswinner1_of_pair_0_40_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_40_choice_7, winnerswinner1_of_pair_0_42_choice : boolean;
+    variable winnerswinner1_of_pair_0_42_choice_2, winnerswinner1_of_pair_0_42_value : boolean;
+    variable winnerswinner1_of_pair_0_42_choice_3, winnerswinner1_of_pair_0_42_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_42_choice_4, winnerswinner1_of_pair_0_42_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_42_choice_5, winnerswinner1_of_pair_0_42_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_42_choice_6, winnerswinner1_of_pair_0_42_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_44_choice, winnerswinner1_of_pair_0_44_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_44_value, winnerswinner1_of_pair_0_44_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_44_value_2, winnerswinner1_of_pair_0_44_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_44_value_3, winnerswinner1_of_pair_0_44_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_44_value_4, winnerswinner1_of_pair_0_44_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_44_choice_7, winnerswinner1_of_pair_0_46_choice : boolean;
+    variable winnerswinner1_of_pair_0_46_choice_2, winnerswinner1_of_pair_0_46_value : boolean;
+    variable winnerswinner1_of_pair_0_46_choice_3, winnerswinner1_of_pair_0_46_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_46_choice_4, winnerswinner1_of_pair_0_46_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_46_choice_5, winnerswinner1_of_pair_0_46_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_46_choice_6, winnerswinner1_of_pair_0_46_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_48_choice, winnerswinner1_of_pair_0_48_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_48_value, winnerswinner1_of_pair_0_48_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_48_value_2, winnerswinner1_of_pair_0_48_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_48_value_3, winnerswinner1_of_pair_0_48_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_48_value_4, winnerswinner1_of_pair_0_48_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_48_choice_7, winnerswinner1_of_pair_0_50_choice : boolean;
+    variable winnerswinner1_of_pair_0_50_choice_2, winnerswinner1_of_pair_0_50_value : boolean;
+    variable winnerswinner1_of_pair_0_50_choice_3, winnerswinner1_of_pair_0_50_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_50_choice_4, winnerswinner1_of_pair_0_50_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_50_choice_5, winnerswinner1_of_pair_0_50_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_50_choice_6, winnerswinner1_of_pair_0_50_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_52_choice, winnerswinner1_of_pair_0_52_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_52_value, winnerswinner1_of_pair_0_52_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_52_value_2, winnerswinner1_of_pair_0_52_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_52_value_3, winnerswinner1_of_pair_0_52_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_52_value_4, winnerswinner1_of_pair_0_52_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_52_choice_7, winnerswinner1_of_pair_0_54_choice : boolean;
+    variable winnerswinner1_of_pair_0_54_choice_2, winnerswinner1_of_pair_0_54_value : boolean;
+    variable winnerswinner1_of_pair_0_54_choice_3, winnerswinner1_of_pair_0_54_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_54_choice_4, winnerswinner1_of_pair_0_54_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_54_choice_5, winnerswinner1_of_pair_0_54_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_54_choice_6, winnerswinner1_of_pair_0_54_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_56_choice, winnerswinner1_of_pair_0_56_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_56_value, winnerswinner1_of_pair_0_56_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_56_value_2, winnerswinner1_of_pair_0_56_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_56_value_3, winnerswinner1_of_pair_0_56_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_56_value_4, winnerswinner1_of_pair_0_56_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_56_choice_7, winnerswinner1_of_pair_0_58_choice : boolean;
+    variable winnerswinner1_of_pair_0_58_choice_2, winnerswinner1_of_pair_0_58_value : boolean;
+    variable winnerswinner1_of_pair_0_58_choice_3, winnerswinner1_of_pair_0_58_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_58_choice_4, winnerswinner1_of_pair_0_58_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_58_choice_5, winnerswinner1_of_pair_0_58_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_58_choice_6, winnerswinner1_of_pair_0_58_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_60_choice, winnerswinner1_of_pair_0_60_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_60_value, winnerswinner1_of_pair_0_60_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_60_value_2, winnerswinner1_of_pair_0_60_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_60_value_3, winnerswinner1_of_pair_0_60_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_60_value_4, winnerswinner1_of_pair_0_60_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_60_choice_7, winnerswinner1_of_pair_0_62_choice : boolean;
+    variable winnerswinner1_of_pair_0_62_choice_2, winnerswinner1_of_pair_0_62_value : boolean;
+    variable winnerswinner1_of_pair_0_62_choice_3, winnerswinner1_of_pair_0_62_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_62_choice_4, winnerswinner1_of_pair_0_62_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_62_choice_5, winnerswinner1_of_pair_0_62_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_62_choice_6, winnerswinner1_of_pair_0_62_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value : boolean;
+    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_5 : boolean;
+    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_value_9 : boolean;
+    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_7, winnerswinner1_of_four_0_4_choice : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value : boolean;
+    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_5 : boolean;
+    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_value_9 : boolean;
+    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_7, winnerswinner1_of_four_0_12_choice : boolean;
+    variable winnerswinner1_of_four_0_12_value, winnerswinner1_of_four_0_12_value_2 : boolean;
+    variable winnerswinner1_of_four_0_12_choice_2, winnerswinner1_of_four_0_12_value_3 : boolean;
+    variable winnerswinner1_of_four_0_12_value_4, winnerswinner1_of_four_0_12_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_12_value_5, winnerswinner1_of_four_0_12_value_6 : boolean;
+    variable winnerswinner1_of_four_0_12_choice_4, winnerswinner1_of_four_0_12_value_7 : boolean;
+    variable winnerswinner1_of_four_0_12_value_8, winnerswinner1_of_four_0_12_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_12_value_9, winnerswinner1_of_four_0_12_value_10 : boolean;
+    variable winnerswinner1_of_four_0_12_choice_6, winnerswinner1_of_four_0_12_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_16_choice, winnerswinner1_of_four_0_16_value : boolean;
+    variable winnerswinner1_of_four_0_16_value_2, winnerswinner1_of_four_0_16_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_16_value_3, winnerswinner1_of_four_0_16_value_4 : boolean;
+    variable winnerswinner1_of_four_0_16_choice_3, winnerswinner1_of_four_0_16_value_5 : boolean;
+    variable winnerswinner1_of_four_0_16_value_6, winnerswinner1_of_four_0_16_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_16_value_7, winnerswinner1_of_four_0_16_value_8 : boolean;
+    variable winnerswinner1_of_four_0_16_choice_5, winnerswinner1_of_four_0_16_value_9 : boolean;
+    variable winnerswinner1_of_four_0_16_value_10, winnerswinner1_of_four_0_16_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_16_choice_7, winnerswinner1_of_four_0_20_choice : boolean;
+    variable winnerswinner1_of_four_0_20_value, winnerswinner1_of_four_0_20_value_2 : boolean;
+    variable winnerswinner1_of_four_0_20_choice_2, winnerswinner1_of_four_0_20_value_3 : boolean;
+    variable winnerswinner1_of_four_0_20_value_4, winnerswinner1_of_four_0_20_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_20_value_5, winnerswinner1_of_four_0_20_value_6 : boolean;
+    variable winnerswinner1_of_four_0_20_choice_4, winnerswinner1_of_four_0_20_value_7 : boolean;
+    variable winnerswinner1_of_four_0_20_value_8, winnerswinner1_of_four_0_20_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_20_value_9, winnerswinner1_of_four_0_20_value_10 : boolean;
+    variable winnerswinner1_of_four_0_20_choice_6, winnerswinner1_of_four_0_20_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_24_choice, winnerswinner1_of_four_0_24_value : boolean;
+    variable winnerswinner1_of_four_0_24_value_2, winnerswinner1_of_four_0_24_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_24_value_3, winnerswinner1_of_four_0_24_value_4 : boolean;
+    variable winnerswinner1_of_four_0_24_choice_3, winnerswinner1_of_four_0_24_value_5 : boolean;
+    variable winnerswinner1_of_four_0_24_value_6, winnerswinner1_of_four_0_24_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_24_value_7, winnerswinner1_of_four_0_24_value_8 : boolean;
+    variable winnerswinner1_of_four_0_24_choice_5, winnerswinner1_of_four_0_24_value_9 : boolean;
+    variable winnerswinner1_of_four_0_24_value_10, winnerswinner1_of_four_0_24_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_24_choice_7, winnerswinner1_of_four_0_28_choice : boolean;
+    variable winnerswinner1_of_four_0_28_value, winnerswinner1_of_four_0_28_value_2 : boolean;
+    variable winnerswinner1_of_four_0_28_choice_2, winnerswinner1_of_four_0_28_value_3 : boolean;
+    variable winnerswinner1_of_four_0_28_value_4, winnerswinner1_of_four_0_28_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_28_value_5, winnerswinner1_of_four_0_28_value_6 : boolean;
+    variable winnerswinner1_of_four_0_28_choice_4, winnerswinner1_of_four_0_28_value_7 : boolean;
+    variable winnerswinner1_of_four_0_28_value_8, winnerswinner1_of_four_0_28_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_28_value_9, winnerswinner1_of_four_0_28_value_10 : boolean;
+    variable winnerswinner1_of_four_0_28_choice_6, winnerswinner1_of_four_0_28_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_32_choice, winnerswinner1_of_four_0_32_value : boolean;
+    variable winnerswinner1_of_four_0_32_value_2, winnerswinner1_of_four_0_32_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_32_value_3, winnerswinner1_of_four_0_32_value_4 : boolean;
+    variable winnerswinner1_of_four_0_32_choice_3, winnerswinner1_of_four_0_32_value_5 : boolean;
+    variable winnerswinner1_of_four_0_32_value_6, winnerswinner1_of_four_0_32_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_32_value_7, winnerswinner1_of_four_0_32_value_8 : boolean;
+    variable winnerswinner1_of_four_0_32_choice_5, winnerswinner1_of_four_0_32_value_9 : boolean;
+    variable winnerswinner1_of_four_0_32_value_10, winnerswinner1_of_four_0_32_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_32_choice_7, winnerswinner1_of_four_0_36_choice : boolean;
+    variable winnerswinner1_of_four_0_36_value, winnerswinner1_of_four_0_36_value_2 : boolean;
+    variable winnerswinner1_of_four_0_36_choice_2, winnerswinner1_of_four_0_36_value_3 : boolean;
+    variable winnerswinner1_of_four_0_36_value_4, winnerswinner1_of_four_0_36_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_36_value_5, winnerswinner1_of_four_0_36_value_6 : boolean;
+    variable winnerswinner1_of_four_0_36_choice_4, winnerswinner1_of_four_0_36_value_7 : boolean;
+    variable winnerswinner1_of_four_0_36_value_8, winnerswinner1_of_four_0_36_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_36_value_9, winnerswinner1_of_four_0_36_value_10 : boolean;
+    variable winnerswinner1_of_four_0_36_choice_6, winnerswinner1_of_four_0_36_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_40_choice, winnerswinner1_of_four_0_40_value : boolean;
+    variable winnerswinner1_of_four_0_40_value_2, winnerswinner1_of_four_0_40_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_40_value_3, winnerswinner1_of_four_0_40_value_4 : boolean;
+    variable winnerswinner1_of_four_0_40_choice_3, winnerswinner1_of_four_0_40_value_5 : boolean;
+    variable winnerswinner1_of_four_0_40_value_6, winnerswinner1_of_four_0_40_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_40_value_7, winnerswinner1_of_four_0_40_value_8 : boolean;
+    variable winnerswinner1_of_four_0_40_choice_5, winnerswinner1_of_four_0_40_value_9 : boolean;
+    variable winnerswinner1_of_four_0_40_value_10, winnerswinner1_of_four_0_40_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_40_choice_7, winnerswinner1_of_four_0_44_choice : boolean;
+    variable winnerswinner1_of_four_0_44_value, winnerswinner1_of_four_0_44_value_2 : boolean;
+    variable winnerswinner1_of_four_0_44_choice_2, winnerswinner1_of_four_0_44_value_3 : boolean;
+    variable winnerswinner1_of_four_0_44_value_4, winnerswinner1_of_four_0_44_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_44_value_5, winnerswinner1_of_four_0_44_value_6 : boolean;
+    variable winnerswinner1_of_four_0_44_choice_4, winnerswinner1_of_four_0_44_value_7 : boolean;
+    variable winnerswinner1_of_four_0_44_value_8, winnerswinner1_of_four_0_44_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_44_value_9, winnerswinner1_of_four_0_44_value_10 : boolean;
+    variable winnerswinner1_of_four_0_44_choice_6, winnerswinner1_of_four_0_44_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_48_choice, winnerswinner1_of_four_0_48_value : boolean;
+    variable winnerswinner1_of_four_0_48_value_2, winnerswinner1_of_four_0_48_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_48_value_3, winnerswinner1_of_four_0_48_value_4 : boolean;
+    variable winnerswinner1_of_four_0_48_choice_3, winnerswinner1_of_four_0_48_value_5 : boolean;
+    variable winnerswinner1_of_four_0_48_value_6, winnerswinner1_of_four_0_48_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_48_value_7, winnerswinner1_of_four_0_48_value_8 : boolean;
+    variable winnerswinner1_of_four_0_48_choice_5, winnerswinner1_of_four_0_48_value_9 : boolean;
+    variable winnerswinner1_of_four_0_48_value_10, winnerswinner1_of_four_0_48_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_48_choice_7, winnerswinner1_of_four_0_52_choice : boolean;
+    variable winnerswinner1_of_four_0_52_value, winnerswinner1_of_four_0_52_value_2 : boolean;
+    variable winnerswinner1_of_four_0_52_choice_2, winnerswinner1_of_four_0_52_value_3 : boolean;
+    variable winnerswinner1_of_four_0_52_value_4, winnerswinner1_of_four_0_52_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_52_value_5, winnerswinner1_of_four_0_52_value_6 : boolean;
+    variable winnerswinner1_of_four_0_52_choice_4, winnerswinner1_of_four_0_52_value_7 : boolean;
+    variable winnerswinner1_of_four_0_52_value_8, winnerswinner1_of_four_0_52_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_52_value_9, winnerswinner1_of_four_0_52_value_10 : boolean;
+    variable winnerswinner1_of_four_0_52_choice_6, winnerswinner1_of_four_0_52_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_56_choice, winnerswinner1_of_four_0_56_value : boolean;
+    variable winnerswinner1_of_four_0_56_value_2, winnerswinner1_of_four_0_56_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_56_value_3, winnerswinner1_of_four_0_56_value_4 : boolean;
+    variable winnerswinner1_of_four_0_56_choice_3, winnerswinner1_of_four_0_56_value_5 : boolean;
+    variable winnerswinner1_of_four_0_56_value_6, winnerswinner1_of_four_0_56_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_56_value_7, winnerswinner1_of_four_0_56_value_8 : boolean;
+    variable winnerswinner1_of_four_0_56_choice_5, winnerswinner1_of_four_0_56_value_9 : boolean;
+    variable winnerswinner1_of_four_0_56_value_10, winnerswinner1_of_four_0_56_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_56_choice_7, winnerswinner1_of_four_0_60_choice : boolean;
+    variable winnerswinner1_of_four_0_60_value, winnerswinner1_of_four_0_60_value_2 : boolean;
+    variable winnerswinner1_of_four_0_60_choice_2, winnerswinner1_of_four_0_60_value_3 : boolean;
+    variable winnerswinner1_of_four_0_60_value_4, winnerswinner1_of_four_0_60_choice_3 : boolean;
+    variable winnerswinner1_of_four_0_60_value_5, winnerswinner1_of_four_0_60_value_6 : boolean;
+    variable winnerswinner1_of_four_0_60_choice_4, winnerswinner1_of_four_0_60_value_7 : boolean;
+    variable winnerswinner1_of_four_0_60_value_8, winnerswinner1_of_four_0_60_choice_5 : boolean;
+    variable winnerswinner1_of_four_0_60_value_9, winnerswinner1_of_four_0_60_value_10 : boolean;
+    variable winnerswinner1_of_four_0_60_choice_6, winnerswinner1_of_four_0_60_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_of_pair_0_2_choice : boolean;
+    variable winnerswinner2_of_pair_0_2_choice_2, winnerswinner2_of_pair_0_2_value : boolean;
+    variable winnerswinner2_of_pair_0_2_choice_3, winnerswinner2_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_2_choice_4, winnerswinner2_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_2_choice_5, winnerswinner2_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_2_choice_6, winnerswinner2_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_4_choice, winnerswinner2_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_4_value, winnerswinner2_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_4_value_2, winnerswinner2_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_4_value_3, winnerswinner2_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_4_value_4, winnerswinner2_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_4_choice_7, winnerswinner2_of_pair_0_6_choice : boolean;
+    variable winnerswinner2_of_pair_0_6_choice_2, winnerswinner2_of_pair_0_6_value : boolean;
+    variable winnerswinner2_of_pair_0_6_choice_3, winnerswinner2_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_6_choice_4, winnerswinner2_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_6_choice_5, winnerswinner2_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_6_choice_6, winnerswinner2_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_8_choice, winnerswinner2_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_8_value, winnerswinner2_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_8_value_2, winnerswinner2_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_8_value_3, winnerswinner2_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_8_value_4, winnerswinner2_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_8_choice_7, winnerswinner2_of_pair_0_10_choice : boolean;
+    variable winnerswinner2_of_pair_0_10_choice_2, winnerswinner2_of_pair_0_10_value : boolean;
+    variable winnerswinner2_of_pair_0_10_choice_3, winnerswinner2_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_10_choice_4, winnerswinner2_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_10_choice_5, winnerswinner2_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_10_choice_6, winnerswinner2_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner2_of_pair_0_12_choice, winnerswinner2_of_pair_0_12_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_12_value, winnerswinner2_of_pair_0_12_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_12_value_2, winnerswinner2_of_pair_0_12_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_12_value_3, winnerswinner2_of_pair_0_12_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_12_value_4, winnerswinner2_of_pair_0_12_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_12_choice_7, winnerswinner2_of_pair_0_14_choice : boolean;
+    variable winnerswinner2_of_pair_0_14_choice_2, winnerswinner2_of_pair_0_14_value : boolean;
+    variable winnerswinner2_of_pair_0_14_choice_3, winnerswinner2_of_pair_0_14_value_2 : boolean;
+    variable winnerswinner2_of_pair_0_14_choice_4, winnerswinner2_of_pair_0_14_value_3 : boolean;
+    variable winnerswinner2_of_pair_0_14_choice_5, winnerswinner2_of_pair_0_14_value_4 : boolean;
+    variable winnerswinner2_of_pair_0_14_choice_6, winnerswinner2_of_pair_0_14_choice_7 : boolean;
+    variable winnerswinner2_of_four_0_0_choice, winnerswinner2_of_four_0_0_value : boolean;
+    variable winnerswinner2_of_four_0_0_value_2, winnerswinner2_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner2_of_four_0_0_value_3, winnerswinner2_of_four_0_0_value_4 : boolean;
+    variable winnerswinner2_of_four_0_0_choice_3, winnerswinner2_of_four_0_0_value_5 : boolean;
+    variable winnerswinner2_of_four_0_0_value_6, winnerswinner2_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner2_of_four_0_0_value_7, winnerswinner2_of_four_0_0_value_8 : boolean;
+    variable winnerswinner2_of_four_0_0_choice_5, winnerswinner2_of_four_0_0_value_9 : boolean;
+    variable winnerswinner2_of_four_0_0_value_10, winnerswinner2_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner2_of_four_0_0_choice_7, winnerswinner2_of_four_0_4_choice : boolean;
+    variable winnerswinner2_of_four_0_4_value, winnerswinner2_of_four_0_4_value_2 : boolean;
+    variable winnerswinner2_of_four_0_4_choice_2, winnerswinner2_of_four_0_4_value_3 : boolean;
+    variable winnerswinner2_of_four_0_4_value_4, winnerswinner2_of_four_0_4_choice_3 : boolean;
+    variable winnerswinner2_of_four_0_4_value_5, winnerswinner2_of_four_0_4_value_6 : boolean;
+    variable winnerswinner2_of_four_0_4_choice_4, winnerswinner2_of_four_0_4_value_7 : boolean;
+    variable winnerswinner2_of_four_0_4_value_8, winnerswinner2_of_four_0_4_choice_5 : boolean;
+    variable winnerswinner2_of_four_0_4_value_9, winnerswinner2_of_four_0_4_value_10 : boolean;
+    variable winnerswinner2_of_four_0_4_choice_6, winnerswinner2_of_four_0_4_choice_7 : boolean;
+    variable winnerswinner2_of_four_0_8_choice, winnerswinner2_of_four_0_8_value : boolean;
+    variable winnerswinner2_of_four_0_8_value_2, winnerswinner2_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner2_of_four_0_8_value_3, winnerswinner2_of_four_0_8_value_4 : boolean;
+    variable winnerswinner2_of_four_0_8_choice_3, winnerswinner2_of_four_0_8_value_5 : boolean;
+    variable winnerswinner2_of_four_0_8_value_6, winnerswinner2_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner2_of_four_0_8_value_7, winnerswinner2_of_four_0_8_value_8 : boolean;
+    variable winnerswinner2_of_four_0_8_choice_5, winnerswinner2_of_four_0_8_value_9 : boolean;
+    variable winnerswinner2_of_four_0_8_value_10, winnerswinner2_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner2_of_four_0_8_choice_7, winnerswinner2_of_four_0_12_choice : boolean;
+    variable winnerswinner2_of_four_0_12_value, winnerswinner2_of_four_0_12_value_2 : boolean;
+    variable winnerswinner2_of_four_0_12_choice_2, winnerswinner2_of_four_0_12_value_3 : boolean;
+    variable winnerswinner2_of_four_0_12_value_4, winnerswinner2_of_four_0_12_choice_3 : boolean;
+    variable winnerswinner2_of_four_0_12_value_5, winnerswinner2_of_four_0_12_value_6 : boolean;
+    variable winnerswinner2_of_four_0_12_choice_4, winnerswinner2_of_four_0_12_value_7 : boolean;
+    variable winnerswinner2_of_four_0_12_value_8, winnerswinner2_of_four_0_12_choice_5 : boolean;
+    variable winnerswinner2_of_four_0_12_value_9, winnerswinner2_of_four_0_12_value_10 : boolean;
+    variable winnerswinner2_of_four_0_12_choice_6, winnerswinner2_of_four_0_12_choice_7 : boolean;
+    variable winnerswinner3_of_pair_0_0_choice, winnerswinner3_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner3_of_pair_0_0_value, winnerswinner3_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner3_of_pair_0_0_value_2, winnerswinner3_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner3_of_pair_0_0_value_3, winnerswinner3_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner3_of_pair_0_0_value_4, winnerswinner3_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner3_of_pair_0_0_choice_7, winnerswinner3_of_pair_0_2_choice : boolean;
+    variable winnerswinner3_of_pair_0_2_choice_2, winnerswinner3_of_pair_0_2_value : boolean;
+    variable winnerswinner3_of_pair_0_2_choice_3, winnerswinner3_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner3_of_pair_0_2_choice_4, winnerswinner3_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner3_of_pair_0_2_choice_5, winnerswinner3_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner3_of_pair_0_2_choice_6, winnerswinner3_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner3_four_index_0_0_choice, winnerswinner3_four_index_0_0_value : boolean;
+    variable winnerswinner3_four_index_0_0_value_2, winnerswinner3_four_index_0_0_choice_2 : boolean;
+    variable winnerswinner3_four_index_0_0_value_3, winnerswinner3_four_index_0_0_value_4 : boolean;
+    variable winnerswinner3_four_index_0_0_choice_3, winnerswinner3_four_index_0_0_value_5 : boolean;
+    variable winnerswinner3_four_index_0_0_value_6, winnerswinner3_four_index_0_0_choice_4 : boolean;
+    variable winnerswinner3_four_index_0_0_value_7, winnerswinner3_four_index_0_0_value_8 : boolean;
+    variable winnerswinner3_four_index_0_0_choice_5, winnerswinner3_four_index_0_0_value_9 : boolean;
+    variable winnerswinner3_four_index_0_0_value_10, winnerswinner3_four_index_0_0_choice_6 : boolean;
+    variable winnerswinner3_four_index_0_0_choice_7, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_ready_tag_row_start_differs : boolean;
+    variable turn_ready_tag_row_start_is_equal, turn_ready_tag_row_start_choice : boolean;
+    variable turn_ready_tag_row_start_choice_2, turn_ready_tag_row_start_is_equal_2 : boolean;
+    variable turn_ready_tag_row_start_all, turn_ready_tag_row_start_choice_3, turn_ready_tag_row_start_all_2 : boolean;
+    variable map_counter_group_is_equal, map_line_ended_choice, map_at_arrives_value : boolean;
+    variable map_of_column_0_b_below_a_value, map_of_column_0_b_below_a_choice : boolean;
+    variable map_of_column_0_b_below_a_value_2, map_of_column_0_b_below_a_choice_2 : boolean;
+    variable map_of_column_0_b_below_a_choice_3, map_of_column_0_b_below_a_choice_4 : boolean;
+    variable map_of_column_0_b_below_a_value_3, map_of_column_0_b_below_a_value_4 : boolean;
+    variable map_of_column_0_b_below_a_choice_5, map_of_column_0_b_below_a_value_5 : boolean;
+    variable map_of_column_0_b_below_a_value_6, map_of_column_0_b_below_a_choice_6 : boolean;
+    variable map_of_column_0_b_below_a_value_7, map_of_column_0_b_below_a_value_8 : boolean;
+    variable map_of_column_0_b_below_a_choice_7, map_of_column_0_c_below_a_value : boolean;
+    variable map_of_column_0_c_below_a_choice, map_of_column_0_c_below_a_value_2 : boolean;
+    variable map_of_column_0_c_below_a_choice_2, map_of_column_0_c_below_a_choice_3 : boolean;
+    variable map_of_column_0_c_below_a_value_3, map_of_column_0_c_below_a_choice_4 : boolean;
+    variable map_of_column_0_c_below_a_choice_5, map_of_column_0_c_below_a_choice_6 : boolean;
+    variable map_of_column_0_c_below_a_value_4, map_of_column_0_c_below_a_choice_7 : boolean;
+    variable map_of_column_0_c_below_a_choice_8, map_of_column_0_c_below_a_choice_9 : boolean;
+    variable map_of_column_0_c_below_a_value_5, map_of_column_0_c_below_a_choice_10 : boolean;
+    variable map_of_column_0_c_below_a_choice_11, map_of_column_0_c_below_a_choice_12 : boolean;
+    variable map_of_column_0_c_below_a_choice_13, map_of_column_0_c_below_a_choice_14 : boolean;
+    variable map_of_column_0_c_below_b_choice, map_of_column_0_c_below_b_choice_2 : boolean;
+    variable map_of_column_0_c_below_b_choice_3, map_of_column_0_c_below_b_choice_4 : boolean;
+    variable map_window_complete_is_equal, map_window_complete_choice, map_of_low_0_b_below_a_value : boolean;
+    variable map_of_low_0_b_below_a_choice, map_of_low_0_b_below_a_is_equal, map_of_low_0_b_below_a_choice_2 : boolean;
+    variable map_of_low_0_b_below_a_value_2, map_of_low_0_b_below_a_value_3, map_of_low_0_b_below_a_choice_3 : boolean;
+    variable map_of_low_0_b_below_a_value_4, map_of_low_0_b_below_a_value_5, map_of_low_0_b_below_a_choice_4 : boolean;
+    variable map_of_low_0_b_below_a_value_6, map_of_low_0_b_below_a_value_7, map_of_low_0_b_below_a_choice_5 : boolean;
+    variable map_of_low_0_c_below_a_value, map_of_low_0_c_below_a_choice, map_of_low_0_c_below_a_choice_2 : boolean;
+    variable map_of_low_0_c_below_a_choice_3, map_of_low_0_c_below_a_choice_4 : boolean;
+    variable map_of_low_0_c_below_a_choice_5, map_of_low_0_c_below_b_choice, map_of_low_0_c_below_b_choice_2 : boolean;
+    variable map_of_low_0_c_below_b_choice_3, map_of_low_0_c_below_b_choice_4 : boolean;
+    variable map_of_low_0_c_below_b_choice_5, map_of_middle_0_b_below_a_value : boolean;
+    variable map_of_middle_0_b_below_a_choice, map_of_middle_0_b_below_a_is_equal : boolean;
+    variable map_of_middle_0_b_below_a_choice_2, map_of_middle_0_b_below_a_value_2 : boolean;
+    variable map_of_middle_0_b_below_a_value_3, map_of_middle_0_b_below_a_choice_3 : boolean;
+    variable map_of_middle_0_b_below_a_value_4, map_of_middle_0_b_below_a_value_5 : boolean;
+    variable map_of_middle_0_b_below_a_choice_4, map_of_middle_0_b_below_a_value_6 : boolean;
+    variable map_of_middle_0_b_below_a_value_7, map_of_middle_0_b_below_a_choice_5 : boolean;
+    variable map_of_middle_0_c_below_a_value, map_of_middle_0_c_below_a_choice : boolean;
+    variable map_of_middle_0_c_below_a_choice_2, map_of_middle_0_c_below_a_choice_3 : boolean;
+    variable map_of_middle_0_c_below_a_choice_4, map_of_middle_0_c_below_a_choice_5 : boolean;
+    variable map_of_middle_0_c_below_b_choice, map_of_middle_0_c_below_b_choice_2 : boolean;
+    variable map_of_middle_0_c_below_b_choice_3, map_of_middle_0_c_below_b_choice_4 : boolean;
+    variable map_of_middle_0_c_below_b_choice_5, map_of_high_0_b_below_a_value : boolean;
+    variable map_of_high_0_b_below_a_choice, map_of_high_0_b_below_a_is_equal : boolean;
     variable map_of_high_0_b_below_a_choice_2, map_of_high_0_b_below_a_value_2 : boolean;
     variable map_of_high_0_b_below_a_value_3, map_of_high_0_b_below_a_choice_3 : boolean;
     variable map_of_high_0_b_below_a_value_4, map_of_high_0_b_below_a_value_5 : boolean;
@@ -3721,7 +3721,6 @@ begin
     variable map_counter_group_choice : natural range 0 to 375;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 511;
     variable raster_place_group_choice_2, raster_place_group_choice_3 : natural range 0 to 511;
-    variable entry_order_address_choice_3, turn_order_address_choice_3 : natural range 0 to 511;
     variable map_counter_group_choice_2, map_counter_group_choice_3 : natural range 0 to 511;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 31;
     variable transform_right_filter_feature_0_choice_194, forward_left_room_choice : natural range 0 to 31;
@@ -3764,8 +3763,8 @@ begin
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_197 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_197 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 193;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 511;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 511;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 193;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_pair_6_choice, forward_left_pair_7_choice, forward_left_pair_8_choice : natural range 0 to 63;
@@ -13572,15 +13571,12 @@ begin
       slice3_held_0_14 <= slice3window_sum_0_14 / 16;
       slice3_held_0_15 <= slice3window_sum_0_15 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_3_map_column and slice0_tag_3_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 193;
-      entry_order_address_all_2 := slice0_tag_3_map_column and slice0_tag_3_valid;
-      entry_order_address_choice_2 := 511 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_3_map_column) or (not slice0_tag_3_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_3_map_column and slice0_tag_3_valid;
+      entry_order_complete_all := slice0_tag_3_map_column and slice0_tag_3_valid;
       entry_order_complete_any := (not slice0_tag_3_map_column) or (not slice0_tag_3_valid);
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_3_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_3_map_column;
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_3_0;
       entry_next_cost_1 <= slice0_held_3_1;
       entry_next_cost_2 <= slice0_held_3_2;
@@ -13649,16 +13645,13 @@ begin
       entry_next_tag_map_column <= slice0_tag_3_map_column;
       entry_next_tag_first_column <= slice0_tag_3_first_column;
       entry_next_tag_end_of_line <= slice0_tag_3_end_of_line;
-      entry_order_address <= entry_order_address_choice * 2 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 512;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_3_end_of_line else
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_3_end_of_line else
         entry_order_complete and entry_order_complete_any;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_3_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_3_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_3_map_column and slice0_tag_3_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -13728,25 +13721,28 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_3_first_column else (entry_next_column + 1) mod 512;
-        entry_order_first <= slice0_tag_3_start_of_frame when slice0_tag_3_first_column else entry_order_first;
+        entry_next_top <= slice0_tag_3_start_of_frame when slice0_tag_3_first_column else entry_next_top;
       end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_3_start_of_frame;
-        entry_order_output <= slice0_tag_3_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
-      end if;
-      if not entry_order_inside then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      entry_order_address_choice := 511 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 193;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 512 when entry_order_falls_any
+          else entry_order_address_choice_2 * 2;
       end if;
       if slice0_tag_3_valid then
         entry_order_inside <= slice0_tag_3_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_3_output_column;
+        entry_order_first <= slice0_tag_3_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -14453,7 +14449,7 @@ begin
           forward_smallest_next_next_next_next_smallest_0;
         forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 6 else
           (forward_cost_delay_ring_read_address + 1) mod 8;
-        forward_cost_delay_ring_write_address <= forward_above_delay_ring_read_address;
+        forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
         forward_left_pair_2 <= forward_left_pair_2_choice;
@@ -15118,7 +15114,7 @@ begin
           < 0 else forward_above_tree_next_next_next_next_smallest_0;
         forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 6 else
           (forward_above_delay_ring_read_address + 1) mod 8;
-        forward_above_delay_ring_write_address <= forward_cost_delay_ring_read_address;
+        forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_next_next_smallest_0;
         forward_above_smallest_copy_1 <= forward_above_tree_next_next_next_next_next_smallest_0;
         forward_above_smallest_copy_2 <= forward_above_tree_next_next_next_next_next_smallest_0;
@@ -15643,9 +15639,9 @@ begin
         forward_sum_62 <= forward_left_cost_62 + forward_above_cost_62;
         forward_sum_63 <= forward_left_cost_63 + forward_above_cost_63;
         forward_first_0 <= entry_turned_first_column;
-        forward_first_1 <= forward_first_0;
+        forward_first_1 <= sums_turn_ready_first;
         forward_first_2 <= forward_first_1;
-        forward_first_3 <= sums_right_first_1;
+        forward_first_3 <= forward_first_2;
         forward_first_4 <= forward_first_3;
         forward_first_5 <= forward_first_4;
         forward_cost_0_0 <= to_integer(forward_cost_delay_held_0(3 downto 0));
@@ -16849,9 +16845,9 @@ begin
         sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_8) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 59) mod 64;
-        sums_right_first_0 <= sums_turn_ready_first;
+        sums_right_first_0 <= forward_first_0;
         sums_right_first_1 <= sums_right_first_0;
-        sums_right_first_2 <= forward_first_2;
+        sums_right_first_2 <= sums_right_first_1;
         sums_right_g_copy_0 <= sums_right_g_copy_0_value;
         sums_right_g_copy_1 <= sums_right_g_copy_0_value;
         sums_right_g_copy_2 <= sums_right_g_copy_0_value;
@@ -19510,13 +19506,18 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner3_tag_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_turned_map_column) and winners_best_tag_map_column and
+      turn_order_address_any := turn_order_turned_map_column or (not winners_best_tag_map_column) or (not
+        winners_best_tag_valid);
+      turn_order_address_choice := 511 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 193;
+      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 512 when turn_order_address_any else
+          turn_order_address_choice_2 * 2;
+      end if;
+      turn_order_falls_all := (not turn_order_turned_map_column) and winners_best_tag_map_column and
         winners_best_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 193;
-      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice_2 := 511 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
       turn_ready_tag_row_start_differs := map_counter_group /= 376;
       turn_ready_tag_row_start_is_equal := map_counter_column = 386;
       turn_ready_tag_row_start_choice := turn_ready_tag_row_start and (map_counter_group /= 375) when
@@ -19529,17 +19530,16 @@ begin
         turn_ready_tag_row_start_choice_2 else turn_ready_tag_start_of_frame and turn_ready_tag_row_start_is_equal_2
         and turn_ready_tag_row_start_is_equal;
       turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
-      turn_order_address <= turn_order_address_choice * 2 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 512;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
       turn_order_inside <= winners_best_tag_map_column;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_complete_any;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_start_of_frame <= (not turn_order_turned_map_column) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
+        winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_map_column <= turn_order_inside;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -19552,10 +19552,7 @@ begin
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if not turn_order_turned_map_column then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
-      end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= winners_best_tag_output_column;
         turn_order_first <= winners_best_tag_start_of_frame;
       end if;
@@ -20112,12 +20109,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
-        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
+        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;

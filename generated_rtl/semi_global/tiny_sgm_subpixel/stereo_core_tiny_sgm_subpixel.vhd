@@ -696,16 +696,19 @@ architecture rtl of stereo_core_tiny_sgm_subpixel is
   signal map_out_disparity_0 : natural range 0 to 65535;
   signal map_out_passed_0, map_out_valid, map_out_start_of_frame, map_out_end_of_line : boolean;
   -- other
-  signal other_0 : natural range 0 to 254;
-  signal other_1 : natural range 0 to 252;
-  signal other_2 : natural range 0 to 248;
-  signal other_3 : natural range 0 to 240;
-  signal other_4 : natural range 0 to 224;
-  signal other_5 : natural range 0 to 192;
-  signal other_6 : natural range 0 to 128;
-  signal other_7, other_8, other_9, other_10, other_11, other_12, other_13, other_14, other_15 : natural range 0 to 256;
-  signal other_16, other_17, other_18 : natural range 0 to 256;
-  signal other_19, other_20 : boolean;
+  signal other_0, other_1 : boolean;
+  signal other_2 : natural range 0 to 254;
+  signal other_3 : natural range 0 to 252;
+  signal other_4 : natural range 0 to 248;
+  signal other_5 : natural range 0 to 240;
+  signal other_6 : natural range 0 to 224;
+  signal other_7 : natural range 0 to 192;
+  signal other_8 : natural range 0 to 128;
+  signal other_9, other_10, other_11, other_12, other_13, other_14, other_15, other_16 : natural range 0 to 256;
+  signal other_17, other_18, other_19, other_20 : natural range 0 to 256;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -727,9 +730,6 @@ architecture rtl of stereo_core_tiny_sgm_subpixel is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -741,6 +741,30 @@ begin
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned((turn_write_words_0 mod 16384), 14);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 14)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -909,30 +933,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned((turn_write_words_0 mod 16384), 14);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 14)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1245,10 +1245,9 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
     variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
     variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
     variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
@@ -1309,31 +1308,30 @@ begin
     variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
     variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
     variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, refinement_divisor_0_0_is_less, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_complete_any, turn_order_turned_output_column_all : boolean;
+    variable winnerswinner4_best_index_0_0_choice_7, refinement_divisor_0_0_is_less, turn_order_address_any : boolean;
+    variable turn_order_address_any_2, turn_order_falls_all, turn_order_complete_all : boolean;
     variable turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193, forward_left_room_choice : natural range 0 to 31;
+    variable forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
     variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
     variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
     variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
     variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
     variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
     variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
-    variable turn_order_address_choice_3 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, refinement_fraction_0_choice_2 : natural range 0 to 7;
-    variable turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, refinement_fraction_0_choice_2 : natural range 0 to 7;
+    variable turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -4617,15 +4615,12 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
       entry_next_cost_2 <= slice1_held_1_0;
@@ -4642,16 +4637,13 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
         entry_order_complete and entry_order_complete_any;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4669,25 +4661,28 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
       end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_2_start_of_frame;
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
-      end if;
-      if not entry_order_inside then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -5713,9 +5708,9 @@ begin
         1) and ((winnerswinner1_best_index_0_5 mod 4) = 2) else winnerswinner1_best_below_0_5;
       winnerswinner2_best_above_0_0_choice := winnerswinner1_best_first_0_1 when winnerswinner1_best_index_0_0 else
         winnerswinner1_best_above_0_0;
-      winnerswinner2_best_above_0_1_choice := winnerswinner1_best_first_0_3 when other_19 else
+      winnerswinner2_best_above_0_1_choice := winnerswinner1_best_first_0_3 when other_0 else
         winnerswinner1_best_above_0_2;
-      winnerswinner2_best_above_0_2_choice := winnerswinner1_best_first_0_5 when other_20 else
+      winnerswinner2_best_above_0_2_choice := winnerswinner1_best_first_0_5 when other_1 else
         winnerswinner1_best_above_0_4;
       winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when (winnerswinner1_best_cost_0_1 -
         winnerswinner1_best_cost_0_0) < 0 else winnerswinner1_best_cost_0_0;
@@ -5976,7 +5971,7 @@ begin
       refinement_divisor_5_0 <= refinement_divisor_4_0;
       refinement_divisor_6_0 <= refinement_divisor_5_0;
       refinement_divisor_7_0 <= refinement_divisor_6_0;
-      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_0
+      refinement_quotient_8_0 <= ((((256 - refinement_divisor_7_0) / 2) + refinement_remainder_7_0) / 128) + ((other_2
         / 2) * 2);
       refinement_negative_0_0 <= refinement_divisor_0_0_is_less;
       refinement_negative_1_0 <= refinement_negative_0_0;
@@ -5989,28 +5984,29 @@ begin
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 16) * 8) + refinement_fraction_0_choice_2;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and refinement_tag_11_map_column and refinement_tag_11_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := refinement_tag_11_map_column and refinement_tag_11_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not refinement_tag_11_map_column) or (not refinement_tag_11_valid);
-      turn_order_turned_output_column_all := turn_order_complete and turn_order_output;
-      turn_order_turned_output_column_choice := refinement_tag_11_map_column when turn_order_address_all else
-        turn_order_held_output and refinement_tag_11_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when refinement_tag_11_end_of_line else
-        turn_order_complete and turn_order_complete_any;
+      turn_order_address_any := turn_order_inside or (not refinement_tag_11_map_column) or (not
+        refinement_tag_11_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not refinement_tag_11_map_column) or (not refinement_tag_11_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and refinement_tag_11_map_column and refinement_tag_11_valid;
+      turn_order_complete_all := refinement_tag_11_map_column and refinement_tag_11_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when refinement_tag_11_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= refinement_tag_11_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        refinement_tag_11_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and refinement_tag_11_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and refinement_tag_11_map_column and
-        refinement_tag_11_valid and turn_order_first and turn_order_complete and turn_order_output;
+        refinement_tag_11_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= refinement_tag_11_end_of_line;
-      turn_newest <= ((other_7 / 256) * 256) + (refinement_fraction_0 * 512) + refinement_disparity_11_0;
-      turn_comes <= turn_order_address_all_2;
+      turn_newest <= ((other_9 / 256) * 256) + (refinement_fraction_0 * 512) + refinement_disparity_11_0;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -6020,16 +6016,13 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if not turn_order_inside then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
-      end if;
       if refinement_tag_11_valid then
         turn_order_inside <= refinement_tag_11_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= refinement_tag_11_output_column;
         turn_order_first <= refinement_tag_11_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
@@ -6043,15 +6036,15 @@ begin
       map_out_start_of_frame <= turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column;
       map_out_end_of_line <= turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column;
       -- other
-      other_0 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_1 / 4) * 4);
-      other_1 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_2 / 8) * 8);
-      other_2 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_3 / 16) * 16);
-      other_3 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_4 / 32) * 32);
-      other_4 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_5 / 64) * 64);
-      other_5 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_6 / 128) * 128);
-      other_6 <= (refinement_remainder_1_0_difference / 256) * 128;
-      other_7 <= other_8;
-      other_8 <= other_9;
+      other_0 <= winnerswinner1_best_index_0_2_choice_7;
+      other_1 <= winnerswinner1_best_index_0_4_choice_7;
+      other_2 <= ((refinement_remainder_7_0_difference / 256) * 2) + ((other_3 / 4) * 4);
+      other_3 <= ((refinement_remainder_6_0_difference / 256) * 4) + ((other_4 / 8) * 8);
+      other_4 <= ((refinement_remainder_5_0_difference / 256) * 8) + ((other_5 / 16) * 16);
+      other_5 <= ((refinement_remainder_4_0_difference / 256) * 16) + ((other_6 / 32) * 32);
+      other_6 <= ((refinement_remainder_3_0_difference / 256) * 32) + ((other_7 / 64) * 64);
+      other_7 <= ((refinement_remainder_2_0_difference / 256) * 64) + ((other_8 / 128) * 128);
+      other_8 <= (refinement_remainder_1_0_difference / 256) * 128;
       other_9 <= other_10;
       other_10 <= other_11;
       other_11 <= other_12;
@@ -6061,9 +6054,9 @@ begin
       other_15 <= other_16;
       other_16 <= other_17;
       other_17 <= other_18;
-      other_18 <= 256;
-      other_19 <= winnerswinner1_best_index_0_2_choice_7;
-      other_20 <= winnerswinner1_best_index_0_4_choice_7;
+      other_18 <= other_19;
+      other_19 <= other_20;
+      other_20 <= 256;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -6179,12 +6172,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
-        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
+        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 45,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"a384beb1",
+      core_id => x"f44bf67a",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

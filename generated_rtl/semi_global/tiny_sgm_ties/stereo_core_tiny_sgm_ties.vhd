@@ -640,6 +640,9 @@ architecture rtl of stereo_core_tiny_sgm_ties is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -660,9 +663,6 @@ architecture rtl of stereo_core_tiny_sgm_ties is
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -674,6 +674,30 @@ begin
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -834,30 +858,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_column, read_data => rows_reference_rows_read_words_0,
       write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1170,103 +1170,101 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_3, winnerswinner1_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_4, winnerswinner1_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_5, winnerswinner1_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_0_choice_6, winnerswinner1_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice, winnerswinner1_of_pair_0_2_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_2_value, winnerswinner1_of_pair_0_2_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_2, winnerswinner1_of_pair_0_2_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_3, winnerswinner1_of_pair_0_2_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_2_value_4, winnerswinner1_of_pair_0_2_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_2_choice_7, winnerswinner1_of_pair_0_4_choice : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_2, winnerswinner1_of_pair_0_4_value : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_3, winnerswinner1_of_pair_0_4_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_4, winnerswinner1_of_pair_0_4_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_5, winnerswinner1_of_pair_0_4_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_4_choice_6, winnerswinner1_of_pair_0_4_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice, winnerswinner1_of_pair_0_6_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_6_value, winnerswinner1_of_pair_0_6_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_2, winnerswinner1_of_pair_0_6_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_3, winnerswinner1_of_pair_0_6_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_6_value_4, winnerswinner1_of_pair_0_6_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_6_choice_7, winnerswinner1_of_pair_0_8_choice : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_2, winnerswinner1_of_pair_0_8_value : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_3, winnerswinner1_of_pair_0_8_value_2 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_4, winnerswinner1_of_pair_0_8_value_3 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_5, winnerswinner1_of_pair_0_8_value_4 : boolean;
-    variable winnerswinner1_of_pair_0_8_choice_6, winnerswinner1_of_pair_0_8_choice_7 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice, winnerswinner1_of_pair_0_10_choice_2 : boolean;
-    variable winnerswinner1_of_pair_0_10_value, winnerswinner1_of_pair_0_10_choice_3 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_2, winnerswinner1_of_pair_0_10_choice_4 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_3, winnerswinner1_of_pair_0_10_choice_5 : boolean;
-    variable winnerswinner1_of_pair_0_10_value_4, winnerswinner1_of_pair_0_10_choice_6 : boolean;
-    variable winnerswinner1_of_pair_0_10_choice_7, winnerswinner1_of_four_0_0_value : boolean;
-    variable winnerswinner1_of_four_0_0_value_2, winnerswinner1_of_four_0_0_choice : boolean;
-    variable winnerswinner1_of_four_0_0_value_3, winnerswinner1_of_four_0_0_value_4 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_2, winnerswinner1_of_four_0_0_value_5 : boolean;
-    variable winnerswinner1_of_four_0_0_value_6, winnerswinner1_of_four_0_0_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_0_value_7, winnerswinner1_of_four_0_0_value_8 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_4, winnerswinner1_of_four_0_0_value_9 : boolean;
-    variable winnerswinner1_of_four_0_0_value_10, winnerswinner1_of_four_0_0_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_0_choice_6, winnerswinner1_of_four_0_4_value : boolean;
-    variable winnerswinner1_of_four_0_4_value_2, winnerswinner1_of_four_0_4_choice : boolean;
-    variable winnerswinner1_of_four_0_4_value_3, winnerswinner1_of_four_0_4_value_4 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_2, winnerswinner1_of_four_0_4_value_5 : boolean;
-    variable winnerswinner1_of_four_0_4_value_6, winnerswinner1_of_four_0_4_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_4_value_7, winnerswinner1_of_four_0_4_value_8 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_4, winnerswinner1_of_four_0_4_value_9 : boolean;
-    variable winnerswinner1_of_four_0_4_value_10, winnerswinner1_of_four_0_4_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_4_choice_6, winnerswinner1_of_four_0_8_value : boolean;
-    variable winnerswinner1_of_four_0_8_value_2, winnerswinner1_of_four_0_8_choice : boolean;
-    variable winnerswinner1_of_four_0_8_value_3, winnerswinner1_of_four_0_8_value_4 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_2, winnerswinner1_of_four_0_8_value_5 : boolean;
-    variable winnerswinner1_of_four_0_8_value_6, winnerswinner1_of_four_0_8_choice_3 : boolean;
-    variable winnerswinner1_of_four_0_8_value_7, winnerswinner1_of_four_0_8_value_8 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_4, winnerswinner1_of_four_0_8_value_9 : boolean;
-    variable winnerswinner1_of_four_0_8_value_10, winnerswinner1_of_four_0_8_choice_5 : boolean;
-    variable winnerswinner1_of_four_0_8_choice_6, winnerswinner2_of_pair_0_0_choice : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_2, winnerswinner2_of_pair_0_0_value : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_3, winnerswinner2_of_pair_0_0_value_2 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_4, winnerswinner2_of_pair_0_0_value_3 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_5, winnerswinner2_of_pair_0_0_value_4 : boolean;
-    variable winnerswinner2_of_pair_0_0_choice_6, winnerswinner2_of_pair_0_0_choice_7 : boolean;
-    variable winnerswinner2_four_index_0_0_value, winnerswinner2_four_index_0_0_value_2 : boolean;
-    variable winnerswinner2_four_index_0_0_choice, winnerswinner2_four_index_0_0_value_3 : boolean;
-    variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_value_6 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_3, winnerswinner2_four_index_0_0_value_7 : boolean;
-    variable winnerswinner2_four_index_0_0_value_8, winnerswinner2_four_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_four_index_0_0_value_9, winnerswinner2_four_index_0_0_value_10 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_5, winnerswinner2_four_index_0_0_choice_6 : boolean;
-    variable turn_order_address_all, turn_order_address_all_2, turn_order_complete_any : boolean;
-    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
+    variable winnerswinner1_of_pair_0_0_choice, winnerswinner1_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_0_value, winnerswinner1_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_2, winnerswinner1_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_3, winnerswinner1_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_0_value_4, winnerswinner1_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_0_choice_7, winnerswinner1_of_pair_0_2_choice : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_2, winnerswinner1_of_pair_0_2_value : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_3, winnerswinner1_of_pair_0_2_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_4, winnerswinner1_of_pair_0_2_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_5, winnerswinner1_of_pair_0_2_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_2_choice_6, winnerswinner1_of_pair_0_2_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice, winnerswinner1_of_pair_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_4_value, winnerswinner1_of_pair_0_4_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_2, winnerswinner1_of_pair_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_3, winnerswinner1_of_pair_0_4_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_4_value_4, winnerswinner1_of_pair_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_4_choice_7, winnerswinner1_of_pair_0_6_choice : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_2, winnerswinner1_of_pair_0_6_value : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_3, winnerswinner1_of_pair_0_6_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_4, winnerswinner1_of_pair_0_6_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_5, winnerswinner1_of_pair_0_6_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_6_choice_6, winnerswinner1_of_pair_0_6_choice_7 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice, winnerswinner1_of_pair_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_pair_0_8_value, winnerswinner1_of_pair_0_8_choice_3 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_2, winnerswinner1_of_pair_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_3, winnerswinner1_of_pair_0_8_choice_5 : boolean;
+    variable winnerswinner1_of_pair_0_8_value_4, winnerswinner1_of_pair_0_8_choice_6 : boolean;
+    variable winnerswinner1_of_pair_0_8_choice_7, winnerswinner1_of_pair_0_10_choice : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_2, winnerswinner1_of_pair_0_10_value : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_3, winnerswinner1_of_pair_0_10_value_2 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_4, winnerswinner1_of_pair_0_10_value_3 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_5, winnerswinner1_of_pair_0_10_value_4 : boolean;
+    variable winnerswinner1_of_pair_0_10_choice_6, winnerswinner1_of_pair_0_10_choice_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value, winnerswinner1_of_four_0_0_value_2 : boolean;
+    variable winnerswinner1_of_four_0_0_choice, winnerswinner1_of_four_0_0_value_3 : boolean;
+    variable winnerswinner1_of_four_0_0_value_4, winnerswinner1_of_four_0_0_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_0_value_5, winnerswinner1_of_four_0_0_value_6 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_3, winnerswinner1_of_four_0_0_value_7 : boolean;
+    variable winnerswinner1_of_four_0_0_value_8, winnerswinner1_of_four_0_0_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_0_value_9, winnerswinner1_of_four_0_0_value_10 : boolean;
+    variable winnerswinner1_of_four_0_0_choice_5, winnerswinner1_of_four_0_0_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_4_value, winnerswinner1_of_four_0_4_value_2 : boolean;
+    variable winnerswinner1_of_four_0_4_choice, winnerswinner1_of_four_0_4_value_3 : boolean;
+    variable winnerswinner1_of_four_0_4_value_4, winnerswinner1_of_four_0_4_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_4_value_5, winnerswinner1_of_four_0_4_value_6 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_3, winnerswinner1_of_four_0_4_value_7 : boolean;
+    variable winnerswinner1_of_four_0_4_value_8, winnerswinner1_of_four_0_4_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_4_value_9, winnerswinner1_of_four_0_4_value_10 : boolean;
+    variable winnerswinner1_of_four_0_4_choice_5, winnerswinner1_of_four_0_4_choice_6 : boolean;
+    variable winnerswinner1_of_four_0_8_value, winnerswinner1_of_four_0_8_value_2 : boolean;
+    variable winnerswinner1_of_four_0_8_choice, winnerswinner1_of_four_0_8_value_3 : boolean;
+    variable winnerswinner1_of_four_0_8_value_4, winnerswinner1_of_four_0_8_choice_2 : boolean;
+    variable winnerswinner1_of_four_0_8_value_5, winnerswinner1_of_four_0_8_value_6 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_3, winnerswinner1_of_four_0_8_value_7 : boolean;
+    variable winnerswinner1_of_four_0_8_value_8, winnerswinner1_of_four_0_8_choice_4 : boolean;
+    variable winnerswinner1_of_four_0_8_value_9, winnerswinner1_of_four_0_8_value_10 : boolean;
+    variable winnerswinner1_of_four_0_8_choice_5, winnerswinner1_of_four_0_8_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice, winnerswinner2_of_pair_0_0_choice_2 : boolean;
+    variable winnerswinner2_of_pair_0_0_value, winnerswinner2_of_pair_0_0_choice_3 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_2, winnerswinner2_of_pair_0_0_choice_4 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_3, winnerswinner2_of_pair_0_0_choice_5 : boolean;
+    variable winnerswinner2_of_pair_0_0_value_4, winnerswinner2_of_pair_0_0_choice_6 : boolean;
+    variable winnerswinner2_of_pair_0_0_choice_7, winnerswinner2_four_index_0_0_value : boolean;
+    variable winnerswinner2_four_index_0_0_value_2, winnerswinner2_four_index_0_0_choice : boolean;
+    variable winnerswinner2_four_index_0_0_value_3, winnerswinner2_four_index_0_0_value_4 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_2, winnerswinner2_four_index_0_0_value_5 : boolean;
+    variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_3 : boolean;
+    variable winnerswinner2_four_index_0_0_value_7, winnerswinner2_four_index_0_0_value_8 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_4, winnerswinner2_four_index_0_0_value_9 : boolean;
+    variable winnerswinner2_four_index_0_0_value_10, winnerswinner2_four_index_0_0_choice_5 : boolean;
+    variable winnerswinner2_four_index_0_0_choice_6, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193, forward_left_room_choice : natural range 0 to 31;
+    variable forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
     variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
     variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
     variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
     variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
     variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
     variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
-    variable turn_order_address_choice_3 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -4535,15 +4533,12 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4560,16 +4555,13 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
         entry_order_complete and entry_order_complete_any;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4587,25 +4579,28 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
       end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_2_start_of_frame;
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
-      end if;
-      if not entry_order_inside then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -5792,28 +5787,28 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      turn_order_turned_output_column_all := turn_order_complete and turn_order_output;
-      turn_order_turned_output_column_choice := winners_best_tag_map_column when turn_order_address_all else
-        turn_order_held_output and winners_best_tag_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_complete_any;
+      turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        winners_best_tag_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
-        winners_best_tag_valid and turn_order_first and turn_order_complete and turn_order_output;
+        winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -5823,16 +5818,13 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if not turn_order_inside then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
-      end if;
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= winners_best_tag_output_column;
         turn_order_first <= winners_best_tag_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
@@ -5951,12 +5943,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
-        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
+        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;

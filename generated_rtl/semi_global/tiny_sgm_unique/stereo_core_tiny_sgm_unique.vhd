@@ -502,8 +502,8 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal forward_left_first_0, forward_left_first_1, forward_left_first_2, forward_above_ready_top : boolean;
   signal forward_above_comes_0, forward_above_comes_1, forward_above_comes_2, forward_above_comes_3 : boolean;
   signal forward_above_comes_4, forward_above_comes_5, forward_above_comes_6, forward_above_comes_7 : boolean;
-  signal forward_above_comes_8, forward_above_comes_9, forward_first_0, forward_first_1, forward_first_2 : boolean;
-  signal forward_first_3 : boolean;
+  signal forward_above_comes_8, forward_above_comes_9, forward_above_writes_copy_0, forward_first_0 : boolean;
+  signal forward_first_1, forward_first_2, forward_first_3 : boolean;
   signal forward_above_total_0, forward_above_total_1, forward_above_total_2 : natural range 0 to 44;
   signal forward_above_total_3, forward_above_total_4, forward_above_total_5 : natural range 0 to 44;
   signal forward_above_total_6, forward_above_total_7, forward_above_total_8 : natural range 0 to 44;
@@ -550,14 +550,14 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal sums_cost_1_2, sums_cost_1_3, sums_cost_1_4, sums_cost_1_5, sums_cost_1_6 : natural range 0 to 15;
   signal sums_cost_1_7, sums_cost_1_8, sums_cost_1_9, sums_cost_1_10, sums_cost_1_11 : natural range 0 to 15;
   signal sums_right_smallest : natural range 0 to 15;
-  signal sums_turn_ready_first, sums_right_first_0, sums_right_first_1, sums_right_first_2, sums_tag_valid : boolean;
-  signal sums_tag_map_column, sums_tag_output_column, sums_tag_start_of_frame, sums_tag_end_of_line : boolean;
-  signal sums_tags_held_0_output_column, sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line : boolean;
-  signal sums_tags_held_1_output_column, sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line : boolean;
-  signal sums_tags_held_2_output_column, sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line : boolean;
-  signal sums_tags_held_3_output_column, sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line : boolean;
-  signal sums_tags_held_4_output_column, sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line : boolean;
-  signal sums_tags_moved : boolean;
+  signal sums_turn_ready_first, sums_turn_writes_copy_0, sums_right_first_0, sums_right_first_1 : boolean;
+  signal sums_right_first_2, sums_tag_valid, sums_tag_map_column, sums_tag_output_column : boolean;
+  signal sums_tag_start_of_frame, sums_tag_end_of_line, sums_tags_held_0_output_column : boolean;
+  signal sums_tags_held_0_start_of_frame, sums_tags_held_0_end_of_line, sums_tags_held_1_output_column : boolean;
+  signal sums_tags_held_1_start_of_frame, sums_tags_held_1_end_of_line, sums_tags_held_2_output_column : boolean;
+  signal sums_tags_held_2_start_of_frame, sums_tags_held_2_end_of_line, sums_tags_held_3_output_column : boolean;
+  signal sums_tags_held_3_start_of_frame, sums_tags_held_3_end_of_line, sums_tags_held_4_output_column : boolean;
+  signal sums_tags_held_4_start_of_frame, sums_tags_held_4_end_of_line, sums_tags_moved : boolean;
   signal sums_turn_place_0, sums_turn_place_1, sums_turn_place_2, sums_turn_place_3 : natural range 0 to 31;
   signal sums_turn_place_4, sums_turn_place_5, sums_turn_place_6, sums_turn_place_7 : natural range 0 to 31;
   signal sums_turn_place_8, sums_turn_write_place, sums_right_room : natural range 0 to 31;
@@ -674,8 +674,9 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
-  -- other
-  signal other_0, other_1 : boolean;
+  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -697,9 +698,6 @@ architecture rtl of stereo_core_tiny_sgm_unique is
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(23 downto 0);
-  signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_valid <= valid = '1';
@@ -711,6 +709,30 @@ begin
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
+  transform_left_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+
+  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
+  transform_right_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 40, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
+      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -879,30 +901,6 @@ begin
       clock => clock, read_enable => true,
       read_address => delay_ring_read_address, read_data => delay_delayed_0,
       write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
-
-  transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
-  transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
-
-  transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
-  transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
-
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1215,96 +1213,94 @@ begin
     variable slice2cost_pixels_first_2_0_count_5_value_2, slice2cost_pixels_first_2_0_count_5_value_3 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value, slice2cost_pixels_first_2_0_count_6_value_2 : boolean;
     variable slice2cost_pixels_first_2_0_count_6_value_3, slice2cost_pixels_first_2_0_count_7_value : boolean;
-    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_address_all, entry_order_address_all_2 : boolean;
-    variable entry_order_complete_any, entry_order_turned_output_column_all : boolean;
-    variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
-    variable sums_right_start_cost_0_value, winnerswinner1_best_index_0_0_choice : boolean;
-    variable winnerswinner1_best_index_0_0_choice_2, winnerswinner1_best_index_0_0_value : boolean;
-    variable winnerswinner1_best_index_0_0_choice_3, winnerswinner1_best_index_0_0_value_2 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_4, winnerswinner1_best_index_0_0_value_3 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_5, winnerswinner1_best_index_0_0_value_4 : boolean;
-    variable winnerswinner1_best_index_0_0_choice_6, winnerswinner1_best_index_0_1_choice : boolean;
-    variable winnerswinner1_best_index_0_1_choice_2, winnerswinner1_best_index_0_1_value : boolean;
-    variable winnerswinner1_best_index_0_1_choice_3, winnerswinner1_best_index_0_1_value_2 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_4, winnerswinner1_best_index_0_1_value_3 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_5, winnerswinner1_best_index_0_1_value_4 : boolean;
-    variable winnerswinner1_best_index_0_1_choice_6, winnerswinner1_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_2_choice, winnerswinner1_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_2_value, winnerswinner1_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_2_value_2, winnerswinner1_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_2_value_3, winnerswinner1_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_2_value_4, winnerswinner1_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_2_choice_7, winnerswinner1_best_index_0_3_choice : boolean;
-    variable winnerswinner1_best_index_0_3_choice_2, winnerswinner1_best_index_0_3_value : boolean;
-    variable winnerswinner1_best_index_0_3_choice_3, winnerswinner1_best_index_0_3_value_2 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_4, winnerswinner1_best_index_0_3_value_3 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_5, winnerswinner1_best_index_0_3_value_4 : boolean;
-    variable winnerswinner1_best_index_0_3_choice_6, winnerswinner1_best_index_0_3_choice_7 : boolean;
-    variable winnerswinner1_best_index_0_4_choice, winnerswinner1_best_index_0_4_choice_2 : boolean;
-    variable winnerswinner1_best_index_0_4_value, winnerswinner1_best_index_0_4_choice_3 : boolean;
-    variable winnerswinner1_best_index_0_4_value_2, winnerswinner1_best_index_0_4_choice_4 : boolean;
-    variable winnerswinner1_best_index_0_4_value_3, winnerswinner1_best_index_0_4_choice_5 : boolean;
-    variable winnerswinner1_best_index_0_4_value_4, winnerswinner1_best_index_0_4_choice_6 : boolean;
-    variable winnerswinner1_best_index_0_4_choice_7, winnerswinner1_best_index_0_5_choice : boolean;
-    variable winnerswinner1_best_index_0_5_choice_2, winnerswinner1_best_index_0_5_value : boolean;
-    variable winnerswinner1_best_index_0_5_choice_3, winnerswinner1_best_index_0_5_value_2 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_4, winnerswinner1_best_index_0_5_value_3 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_5, winnerswinner1_best_index_0_5_value_4 : boolean;
-    variable winnerswinner1_best_index_0_5_choice_6, winnerswinner1_best_index_0_5_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_0_choice, winnerswinner2_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_0_value, winnerswinner2_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_0_value_2, winnerswinner2_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_0_value_3, winnerswinner2_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_0_value_4, winnerswinner2_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_0_choice_7, winnerswinner2_best_index_0_1_choice : boolean;
-    variable winnerswinner2_best_index_0_1_choice_2, winnerswinner2_best_index_0_1_value : boolean;
-    variable winnerswinner2_best_index_0_1_choice_3, winnerswinner2_best_index_0_1_value_2 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_4, winnerswinner2_best_index_0_1_value_3 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_5, winnerswinner2_best_index_0_1_value_4 : boolean;
-    variable winnerswinner2_best_index_0_1_choice_6, winnerswinner2_best_index_0_1_choice_7 : boolean;
-    variable winnerswinner2_best_index_0_2_choice, winnerswinner2_best_index_0_2_choice_2 : boolean;
-    variable winnerswinner2_best_index_0_2_value, winnerswinner2_best_index_0_2_choice_3 : boolean;
-    variable winnerswinner2_best_index_0_2_value_2, winnerswinner2_best_index_0_2_choice_4 : boolean;
-    variable winnerswinner2_best_index_0_2_value_3, winnerswinner2_best_index_0_2_choice_5 : boolean;
-    variable winnerswinner2_best_index_0_2_value_4, winnerswinner2_best_index_0_2_choice_6 : boolean;
-    variable winnerswinner2_best_index_0_2_choice_7, winnerswinner2_best_at_start_0_0_choice : boolean;
-    variable winnerswinner2_best_at_start_0_1_choice, winnerswinner2_best_at_start_0_2_choice : boolean;
-    variable winnerswinner3_best_index_0_0_choice, winnerswinner3_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner3_best_index_0_0_value, winnerswinner3_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner3_best_index_0_0_value_2, winnerswinner3_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner3_best_index_0_0_value_3, winnerswinner3_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner3_best_index_0_0_value_4, winnerswinner3_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner3_best_index_0_0_choice_7, winnerswinner3_best_at_start_0_0_choice : boolean;
-    variable winnerswinner4_best_index_0_0_choice, winnerswinner4_best_index_0_0_choice_2 : boolean;
-    variable winnerswinner4_best_index_0_0_value, winnerswinner4_best_index_0_0_choice_3 : boolean;
-    variable winnerswinner4_best_index_0_0_value_2, winnerswinner4_best_index_0_0_choice_4 : boolean;
-    variable winnerswinner4_best_index_0_0_value_3, winnerswinner4_best_index_0_0_choice_5 : boolean;
-    variable winnerswinner4_best_index_0_0_value_4, winnerswinner4_best_index_0_0_choice_6 : boolean;
-    variable winnerswinner4_best_index_0_0_choice_7, winnerswinner4_best_at_start_0_0_choice : boolean;
-    variable refinement_passed_3_0_choice, refinement_passed_3_0_choice_2, turn_order_address_all : boolean;
-    variable turn_order_address_all_2, turn_order_complete_any, turn_order_turned_output_column_all : boolean;
-    variable turn_order_turned_output_column_choice, other_0_choice : boolean;
+    variable slice2cost_pixels_first_2_0_count_7_value_2, entry_order_falls_any, entry_order_falls_all : boolean;
+    variable entry_order_complete_all, entry_order_complete_any, entry_order_turned_output_column_choice : boolean;
+    variable forward_left_start_cost_0_value, sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice : boolean;
+    variable winnerswinner1_best_index_0_0_choice, winnerswinner1_best_index_0_0_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_0_value, winnerswinner1_best_index_0_0_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_0_value_2, winnerswinner1_best_index_0_0_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_0_value_3, winnerswinner1_best_index_0_0_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_0_value_4, winnerswinner1_best_index_0_0_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice, winnerswinner1_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_1_value, winnerswinner1_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_1_value_2, winnerswinner1_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_1_value_3, winnerswinner1_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_1_value_4, winnerswinner1_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_1_choice_7, winnerswinner1_best_index_0_2_choice : boolean;
+    variable winnerswinner1_best_index_0_2_choice_2, winnerswinner1_best_index_0_2_value : boolean;
+    variable winnerswinner1_best_index_0_2_choice_3, winnerswinner1_best_index_0_2_value_2 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_4, winnerswinner1_best_index_0_2_value_3 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_5, winnerswinner1_best_index_0_2_value_4 : boolean;
+    variable winnerswinner1_best_index_0_2_choice_6, winnerswinner1_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_3_choice, winnerswinner1_best_index_0_3_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_3_value, winnerswinner1_best_index_0_3_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_3_value_2, winnerswinner1_best_index_0_3_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_3_value_3, winnerswinner1_best_index_0_3_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_3_value_4, winnerswinner1_best_index_0_3_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_3_choice_7, winnerswinner1_best_index_0_4_choice : boolean;
+    variable winnerswinner1_best_index_0_4_choice_2, winnerswinner1_best_index_0_4_value : boolean;
+    variable winnerswinner1_best_index_0_4_choice_3, winnerswinner1_best_index_0_4_value_2 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_4, winnerswinner1_best_index_0_4_value_3 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_5, winnerswinner1_best_index_0_4_value_4 : boolean;
+    variable winnerswinner1_best_index_0_4_choice_6, winnerswinner1_best_index_0_4_choice_7 : boolean;
+    variable winnerswinner1_best_index_0_5_choice, winnerswinner1_best_index_0_5_choice_2 : boolean;
+    variable winnerswinner1_best_index_0_5_value, winnerswinner1_best_index_0_5_choice_3 : boolean;
+    variable winnerswinner1_best_index_0_5_value_2, winnerswinner1_best_index_0_5_choice_4 : boolean;
+    variable winnerswinner1_best_index_0_5_value_3, winnerswinner1_best_index_0_5_choice_5 : boolean;
+    variable winnerswinner1_best_index_0_5_value_4, winnerswinner1_best_index_0_5_choice_6 : boolean;
+    variable winnerswinner1_best_index_0_5_choice_7, winnerswinner2_best_index_0_0_choice : boolean;
+    variable winnerswinner2_best_index_0_0_choice_2, winnerswinner2_best_index_0_0_value : boolean;
+    variable winnerswinner2_best_index_0_0_choice_3, winnerswinner2_best_index_0_0_value_2 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_4, winnerswinner2_best_index_0_0_value_3 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_5, winnerswinner2_best_index_0_0_value_4 : boolean;
+    variable winnerswinner2_best_index_0_0_choice_6, winnerswinner2_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner2_best_index_0_1_choice, winnerswinner2_best_index_0_1_choice_2 : boolean;
+    variable winnerswinner2_best_index_0_1_value, winnerswinner2_best_index_0_1_choice_3 : boolean;
+    variable winnerswinner2_best_index_0_1_value_2, winnerswinner2_best_index_0_1_choice_4 : boolean;
+    variable winnerswinner2_best_index_0_1_value_3, winnerswinner2_best_index_0_1_choice_5 : boolean;
+    variable winnerswinner2_best_index_0_1_value_4, winnerswinner2_best_index_0_1_choice_6 : boolean;
+    variable winnerswinner2_best_index_0_1_choice_7, winnerswinner2_best_index_0_2_choice : boolean;
+    variable winnerswinner2_best_index_0_2_choice_2, winnerswinner2_best_index_0_2_value : boolean;
+    variable winnerswinner2_best_index_0_2_choice_3, winnerswinner2_best_index_0_2_value_2 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_4, winnerswinner2_best_index_0_2_value_3 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_5, winnerswinner2_best_index_0_2_value_4 : boolean;
+    variable winnerswinner2_best_index_0_2_choice_6, winnerswinner2_best_index_0_2_choice_7 : boolean;
+    variable winnerswinner2_best_at_start_0_0_choice, winnerswinner2_best_at_start_0_1_choice : boolean;
+    variable winnerswinner2_best_at_start_0_2_choice, winnerswinner3_best_index_0_0_choice : boolean;
+    variable winnerswinner3_best_index_0_0_choice_2, winnerswinner3_best_index_0_0_value : boolean;
+    variable winnerswinner3_best_index_0_0_choice_3, winnerswinner3_best_index_0_0_value_2 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_4, winnerswinner3_best_index_0_0_value_3 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_5, winnerswinner3_best_index_0_0_value_4 : boolean;
+    variable winnerswinner3_best_index_0_0_choice_6, winnerswinner3_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner3_best_at_start_0_0_choice, winnerswinner4_best_index_0_0_choice : boolean;
+    variable winnerswinner4_best_index_0_0_choice_2, winnerswinner4_best_index_0_0_value : boolean;
+    variable winnerswinner4_best_index_0_0_choice_3, winnerswinner4_best_index_0_0_value_2 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_4, winnerswinner4_best_index_0_0_value_3 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_5, winnerswinner4_best_index_0_0_value_4 : boolean;
+    variable winnerswinner4_best_index_0_0_choice_6, winnerswinner4_best_index_0_0_choice_7 : boolean;
+    variable winnerswinner4_best_at_start_0_0_choice, refinement_passed_3_0_choice : boolean;
+    variable refinement_passed_3_0_choice_2, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
     variable transform_counter_group_choice, raster_place_group_choice : natural range 0 to 3;
     variable transform_counter_group_choice_2, transform_counter_group_choice_3 : natural range 0 to 15;
     variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 15;
     variable transform_left_filter_feature_0_choice_193 : natural range 0 to 31;
-    variable transform_right_filter_feature_0_choice_193, entry_order_address_choice_3 : natural range 0 to 31;
-    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable transform_right_filter_feature_0_choice_193, forward_left_room_choice : natural range 0 to 31;
+    variable forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
     variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
     variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
     variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
     variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
     variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
     variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
-    variable turn_order_address_choice_3 : natural range 0 to 31;
     variable transform_left_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_right_filter_feature_0_choice_194 : natural range 0 to 1023;
     variable transform_left_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_right_filter_feature_0_choice_195 : natural range 0 to 8191;
     variable transform_left_filter_feature_0_choice_196 : natural range 0 to 524287;
     variable transform_right_filter_feature_0_choice_196 : natural range 0 to 524287;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -4586,15 +4582,12 @@ begin
       slice2_held_0_0 <= slice2window_sum_0_0 / 16;
       slice2_held_0_1 <= slice2window_sum_0_1 / 16;
       -- entry
-      entry_order_address_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_map_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
+      entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_all := entry_order_complete and entry_order_output;
-      entry_order_turned_output_column_choice := slice0_tag_2_map_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_map_column;
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
       entry_next_cost_2 <= slice1_held_1_0;
@@ -4611,16 +4604,13 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_complete <= entry_order_complete or entry_order_address_all_2 when slice0_tag_2_end_of_line else
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
         entry_order_complete and entry_order_complete_any;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_map_column;
-      entry_order_turned_first_column <= entry_order_address_all;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
-        and entry_next_top and entry_order_complete and entry_order_output;
+        and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
       entry_cost_2 <= entry_next_cost_2;
@@ -4638,25 +4628,28 @@ begin
       entry_tag_first_column <= entry_next_tag_first_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
-      entry_top <= entry_order_first;
+      entry_top <= entry_next_top;
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_order_first <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_order_first;
+        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
       end if;
-      if entry_order_address_all then
-        entry_next_top <= slice0_tag_2_start_of_frame;
-        entry_order_output <= slice0_tag_2_output_column;
-        entry_order_held_output <= entry_order_turned_output_column_all;
-      end if;
-      if not entry_order_inside then
-        entry_order_falls <= entry_order_complete_any when entry_order_falls else entry_order_address_all_2;
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
+      end if;
+      if entry_order_falls_all then
+        entry_order_output <= slice0_tag_2_output_column;
+        entry_order_first <= slice0_tag_2_start_of_frame;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -5111,6 +5104,8 @@ begin
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
       end if;
+      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
+        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
         else forward_above_stay_4;
       forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
@@ -5135,7 +5130,7 @@ begin
         0 else forward_above_stay_6;
       forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
         0 else forward_above_stay_7;
-      if other_1 then
+      if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
           (to_unsigned(forward_above_write_words_0_choice_3, 17) & to_unsigned(0, 15)))) or
@@ -5389,21 +5384,8 @@ begin
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
       end if;
-      if other_0 then
-        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
-          * 128);
-        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
-          * 128);
-        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
-          (forward_sum_9 * 128);
-        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
-          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
-          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
-        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
-          (forward_cost_3_9 * 16);
-        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
-        sums_turn_write_place <= sums_turn_place_8;
-      end if;
+      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
       sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
       sums_sum_0_2 <= (sums_right_cost_2 + to_integer(sums_sum_delay_held_0(27 downto 14))) mod 128;
@@ -5422,6 +5404,21 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_4_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_4_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if sums_turn_writes_copy_0 then
+        sums_turn_write_sums_0 <= (forward_sum_2 * 16384) + (forward_sum_3 * 2097152) + forward_sum_0 + (forward_sum_1
+          * 128);
+        sums_turn_write_sums_1 <= (forward_sum_6 * 16384) + (forward_sum_7 * 2097152) + forward_sum_4 + (forward_sum_5
+          * 128);
+        sums_turn_write_sums_2 <= (forward_sum_10 * 16384) + (forward_sum_11 * 2097152) + forward_sum_8 +
+          (forward_sum_9 * 128);
+        sums_turn_write_costs_0 <= to_unsigned(forward_cost_3_7, 4) & to_unsigned(forward_cost_3_6, 4) &
+          to_unsigned(forward_cost_3_5, 4) & to_unsigned(forward_cost_3_4, 4) & to_unsigned(forward_cost_3_3, 4) &
+          to_unsigned(forward_cost_3_2, 4) & to_unsigned(forward_cost_3_1, 4) & to_unsigned(forward_cost_3_0, 4);
+        sums_turn_write_costs_1 <= (forward_cost_3_10 * 256) + (forward_cost_3_11 * 4096) + forward_cost_3_8 +
+          (forward_cost_3_9 * 16);
+        sums_turn_write_smallest_0 <= forward_smallest_cost_4;
+        sums_turn_write_place <= sums_turn_place_8;
+      end if;
       -- winnerswinner1
       winnerswinner1_best_index_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) =
         1)) when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
@@ -5920,28 +5917,28 @@ begin
       refinement_scaled_gap_0 <= refinement_gap_0;
       refinement_scaled_cost_0 <= 3;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and refinement_tag_3_map_column and refinement_tag_3_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := refinement_tag_3_map_column and refinement_tag_3_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_complete_any := (not refinement_tag_3_map_column) or (not refinement_tag_3_valid);
-      turn_order_turned_output_column_all := turn_order_complete and turn_order_output;
-      turn_order_turned_output_column_choice := refinement_tag_3_map_column when turn_order_address_all else
-        turn_order_held_output and refinement_tag_3_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_complete <= turn_order_complete or turn_order_address_all_2 when refinement_tag_3_end_of_line else
-        turn_order_complete and turn_order_complete_any;
+      turn_order_address_any := turn_order_inside or (not refinement_tag_3_map_column) or (not refinement_tag_3_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not refinement_tag_3_map_column) or (not refinement_tag_3_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and refinement_tag_3_map_column and refinement_tag_3_valid;
+      turn_order_complete_all := refinement_tag_3_map_column and refinement_tag_3_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when refinement_tag_3_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= refinement_tag_3_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        refinement_tag_3_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and refinement_tag_3_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and refinement_tag_3_map_column and
-        refinement_tag_3_valid and turn_order_first and turn_order_complete and turn_order_output;
+        refinement_tag_3_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= refinement_tag_3_end_of_line;
       turn_newest <= (as_number(refinement_passed_3_0) * 256) + refinement_disparity_3_0;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -5951,26 +5948,18 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
-      if not turn_order_inside then
-        turn_order_falls <= turn_order_complete_any when turn_order_falls else turn_order_address_all_2;
-      end if;
       if refinement_tag_3_valid then
         turn_order_inside <= refinement_tag_3_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= refinement_tag_3_output_column;
         turn_order_first <= refinement_tag_3_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
-      -- other
-      other_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
-      other_0 <= entry_next_tag_valid and other_0_choice;
-      other_1 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when forward_above_comes_9
-        else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;
@@ -6086,12 +6075,12 @@ begin
         entry_next_tag_map_column <= false;
         entry_next_tag_end_of_line <= false;
         entry_next_column <= 0;
-        entry_next_top <= false;
         entry_order_address <= 0;
         entry_order_falls <= false;
         entry_order_inside <= false;
         entry_order_complete <= false;
         entry_order_output <= false;
+        entry_order_first <= false;
         entry_order_held_output <= false;
         entry_order_turned_output_column <= false;
         entry_order_turned_start_of_frame <= false;
@@ -6126,6 +6115,7 @@ begin
         forward_above_column_7 <= 0;
         forward_above_column_8 <= 0;
         forward_above_column_9 <= 0;
+        forward_above_writes_copy_0 <= false;
         forward_above_write_column <= 0;
         sums_turn_place_0 <= 0;
         sums_turn_place_1 <= 0;
@@ -6136,6 +6126,7 @@ begin
         sums_turn_place_6 <= 0;
         sums_turn_place_7 <= 0;
         sums_turn_place_8 <= 0;
+        sums_turn_writes_copy_0 <= false;
         sums_turn_write_place <= 0;
         sums_sum_delay_ring_read_address <= 1;
         sums_sum_delay_ring_write_address <= 0;
@@ -6226,8 +6217,6 @@ begin
         turn_ready_tag_output_column <= false;
         turn_ready_tag_start_of_frame <= false;
         turn_ready_tag_end_of_line <= false;
-        other_0 <= false;
-        other_1 <= false;
       end if;
     end if;
   end process;

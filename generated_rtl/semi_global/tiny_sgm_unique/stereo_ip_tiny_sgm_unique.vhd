@@ -64,7 +64,7 @@ begin
       latency_clocks => 36,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"1159040c",
+      core_id => x"754c6de8",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,

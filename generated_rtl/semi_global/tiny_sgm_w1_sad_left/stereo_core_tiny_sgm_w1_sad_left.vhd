@@ -368,6 +368,7 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8 : natural range 0 to 248;
   signal other_9, other_10, other_11, other_12, other_13, other_14, other_15, other_16 : natural range 0 to 248;
   signal other_17, other_18, other_19, other_20, other_21, other_22, other_23 : natural range 0 to 248;
+  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
@@ -384,7 +385,6 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(16 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
-  signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
 
 begin
   in_right_pixel <= to_integer(unsigned(right_pixel));
@@ -396,6 +396,14 @@ begin
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
+
+  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
+  turn_read_words_0_memory : entity work.line_memory
+    generic map (depth => 29, width => 9)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => turn_order_address, read_data => turn_read_words_0,
+      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
 
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
@@ -525,18 +533,10 @@ begin
       read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
       write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
-  turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
-  turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
-    port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
-
   process (clock)
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
-    variable delay_tag_map_column_is_less, delay_tag_map_column_all, entry_order_address_all : boolean;
-    variable entry_order_address_all_2, entry_order_turned_output_column_all : boolean;
+    variable delay_tag_map_column_is_less, delay_tag_map_column_all, entry_order_falls_any : boolean;
+    variable entry_order_falls_all, entry_order_complete_all, entry_order_complete_any : boolean;
     variable entry_order_turned_output_column_choice, forward_left_start_cost_0_value : boolean;
     variable sums_right_start_cost_0_value, sums_turn_writes_copy_0_choice, winnerswinner1_of_pair_0_0_choice : boolean;
     variable winnerswinner1_of_pair_0_0_choice_2, winnerswinner1_of_pair_0_0_value : boolean;
@@ -608,24 +608,13 @@ begin
     variable winnerswinner2_four_index_0_0_value_4, winnerswinner2_four_index_0_0_choice_3 : boolean;
     variable winnerswinner2_four_index_0_0_value_5, winnerswinner2_four_index_0_0_choice_4 : boolean;
     variable winnerswinner2_four_index_0_0_value_6, winnerswinner2_four_index_0_0_choice_5 : boolean;
-    variable winnerswinner2_four_index_0_0_choice_6, turn_order_address_all, turn_order_address_all_2 : boolean;
-    variable turn_order_turned_output_column_all, turn_order_turned_output_column_choice, other_2_is_less : boolean;
-    variable other_3_is_less, other_9_is_less, other_10_is_less, other_11_is_less, other_12_is_less : boolean;
-    variable other_13_is_less, other_19_is_less, other_20_is_less, other_21_is_less, other_22_is_less : boolean;
-    variable other_23_is_less : boolean;
-    variable entry_order_address_choice, turn_order_address_choice : natural range 0 to 7;
-    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 1 to 31;
-    variable entry_order_address_choice_3, forward_left_room_choice, forward_left_room_choice_2 : natural range 0 to 31;
-    variable forward_above_total_0_choice, forward_above_total_1_choice : natural range 0 to 31;
-    variable forward_above_total_2_choice, forward_above_total_3_choice : natural range 0 to 31;
-    variable forward_above_total_4_choice, forward_above_total_5_choice : natural range 0 to 31;
-    variable forward_above_total_6_choice, forward_above_total_7_choice : natural range 0 to 31;
-    variable forward_above_total_8_choice, forward_above_total_9_choice : natural range 0 to 31;
-    variable forward_above_total_10_choice, forward_above_total_11_choice : natural range 0 to 31;
-    variable sums_right_room_choice, sums_right_room_choice_2, turn_order_address_choice_3 : natural range 0 to 31;
-    variable other_2_choice_2, other_3_choice_2, other_9_choice_2, other_10_choice_2 : natural range 0 to 31;
-    variable other_11_choice_2, other_12_choice_2, other_13_choice_2, other_19_choice_2 : natural range 0 to 31;
-    variable other_20_choice_2, other_21_choice_2, other_22_choice_2, other_23_choice_2 : natural range 0 to 31;
+    variable winnerswinner2_four_index_0_0_choice_6, turn_order_address_any, turn_order_address_any_2 : boolean;
+    variable turn_order_falls_all, turn_order_complete_all, turn_order_turned_output_column_choice : boolean;
+    variable other_1_is_less, other_3_is_less, other_5_is_less, other_7_is_less, other_9_is_less : boolean;
+    variable other_11_is_less, other_13_is_less, other_15_is_less, other_17_is_less, other_19_is_less : boolean;
+    variable other_21_is_less, other_23_is_less : boolean;
+    variable entry_order_address_choice, turn_order_address_choice : natural range 1 to 31;
+    variable entry_order_address_choice_2, turn_order_address_choice_2 : natural range 0 to 7;
     variable forward_left_pair_0_choice, forward_left_pair_1_choice, forward_left_pair_2_choice : natural range 0 to 63;
     variable forward_left_pair_3_choice, forward_left_pair_4_choice, forward_left_pair_5_choice : natural range 0 to 63;
     variable forward_left_cost_0_choice, forward_left_cost_0_choice_2 : natural range 0 to 63;
@@ -668,10 +657,20 @@ begin
     variable sums_right_arrived_9_choice, sums_right_arrived_10_choice : natural range 0 to 63;
     variable sums_right_arrived_11_choice : natural range 0 to 63;
     variable forward_left_start_cost_0_choice, forward_left_start_cost_0_choice_2 : natural range 0 to 255;
-    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2, other_2_choice : natural range 0 to 255;
-    variable other_3_choice, other_9_choice, other_10_choice, other_11_choice, other_12_choice : natural range 0 to 255;
-    variable other_13_choice, other_19_choice, other_20_choice, other_21_choice : natural range 0 to 255;
-    variable other_22_choice, other_23_choice : natural range 0 to 255;
+    variable sums_right_start_cost_0_choice, sums_right_start_cost_0_choice_2, other_1_choice : natural range 0 to 255;
+    variable other_3_choice, other_5_choice, other_7_choice, other_9_choice, other_11_choice : natural range 0 to 255;
+    variable other_13_choice, other_15_choice, other_17_choice, other_19_choice : natural range 0 to 255;
+    variable other_21_choice, other_23_choice : natural range 0 to 255;
+    variable forward_left_room_choice, forward_left_room_choice_2, forward_above_total_0_choice : natural range 0 to 31;
+    variable forward_above_total_1_choice, forward_above_total_2_choice : natural range 0 to 31;
+    variable forward_above_total_3_choice, forward_above_total_4_choice : natural range 0 to 31;
+    variable forward_above_total_5_choice, forward_above_total_6_choice : natural range 0 to 31;
+    variable forward_above_total_7_choice, forward_above_total_8_choice : natural range 0 to 31;
+    variable forward_above_total_9_choice, forward_above_total_10_choice : natural range 0 to 31;
+    variable forward_above_total_11_choice, sums_right_room_choice, sums_right_room_choice_2 : natural range 0 to 31;
+    variable other_1_choice_2, other_3_choice_2, other_5_choice_2, other_7_choice_2 : natural range 0 to 31;
+    variable other_9_choice_2, other_11_choice_2, other_13_choice_2, other_15_choice_2 : natural range 0 to 31;
+    variable other_17_choice_2, other_19_choice_2, other_21_choice_2, other_23_choice_2 : natural range 0 to 31;
     variable forward_above_write_words_0_choice, forward_above_write_words_0_choice_2 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_3, forward_above_write_words_0_choice_4 : natural range 0 to 68;
     variable forward_above_write_words_0_choice_5, forward_above_write_words_0_choice_6 : natural range 0 to 68;
@@ -758,19 +757,19 @@ begin
       slice0window_tag_valid <= slice0cost_pair_tag_valid;
       slice0window_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0window_tag_first_cost <= slice0cost_pair_tag_first_cost;
-      slice0window_tag_map_column <= slice0cost_pair_tag_map_column;
-      slice0window_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0window_tag_map_column <= slice0cost_pair_tag_output_column;
+      slice0window_tag_output_column <= slice0cost_pair_tag_map_column;
       slice0window_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0window_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0
-      slice0_held_0_0 <= 12 when (((((other_18 / 16) mod 2) = 1) or (((other_18 / 8) mod 2) = 1)) and (((other_18 / 32)
+      slice0_held_0_0 <= 12 when (((((other_22 / 16) mod 2) = 1) or (((other_22 / 8) mod 2) = 1)) and (((other_22 / 32)
+        mod 4) = 3)) or ((other_22 / 128) = 1) else other_22 / 8;
+      slice0_held_0_1 <= 12 when (((((other_20 / 16) mod 2) = 1) or (((other_20 / 8) mod 2) = 1)) and (((other_20 / 32)
+        mod 4) = 3)) or ((other_20 / 128) = 1) else other_20 / 8;
+      slice0_held_0_2 <= 12 when (((((other_18 / 16) mod 2) = 1) or (((other_18 / 8) mod 2) = 1)) and (((other_18 / 32)
         mod 4) = 3)) or ((other_18 / 128) = 1) else other_18 / 8;
-      slice0_held_0_1 <= 12 when (((((other_17 / 16) mod 2) = 1) or (((other_17 / 8) mod 2) = 1)) and (((other_17 / 32)
-        mod 4) = 3)) or ((other_17 / 128) = 1) else other_17 / 8;
-      slice0_held_0_2 <= 12 when (((((other_16 / 16) mod 2) = 1) or (((other_16 / 8) mod 2) = 1)) and (((other_16 / 32)
+      slice0_held_0_3 <= 12 when (((((other_16 / 16) mod 2) = 1) or (((other_16 / 8) mod 2) = 1)) and (((other_16 / 32)
         mod 4) = 3)) or ((other_16 / 128) = 1) else other_16 / 8;
-      slice0_held_0_3 <= 12 when (((((other_15 / 16) mod 2) = 1) or (((other_15 / 8) mod 2) = 1)) and (((other_15 / 32)
-        mod 4) = 3)) or ((other_15 / 128) = 1) else other_15 / 8;
       slice0_held_0_4 <= 12 when (((((other_14 / 16) mod 2) = 1) or (((other_14 / 8) mod 2) = 1)) and (((other_14 / 32)
         mod 4) = 3)) or ((other_14 / 128) = 1) else other_14 / 8;
       slice0_held_1_0 <= slice0_held_0_0;
@@ -785,8 +784,8 @@ begin
       slice0_held_2_4 <= slice0_held_1_4;
       slice0_tag_0_valid <= slice0window_tag_valid;
       slice0_tag_0_first_cost <= slice0window_tag_first_cost;
-      slice0_tag_0_map_column <= slice0window_tag_map_column;
-      slice0_tag_0_output_column <= slice0window_tag_output_column;
+      slice0_tag_0_map_column <= slice0window_tag_output_column;
+      slice0_tag_0_output_column <= slice0window_tag_map_column;
       slice0_tag_0_start_of_frame <= slice0window_tag_start_of_frame;
       slice0_tag_0_end_of_line <= slice0window_tag_end_of_line;
       slice0_tag_1_valid <= slice0_tag_0_valid;
@@ -818,14 +817,14 @@ begin
       slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
       slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
       -- slice1
-      slice1_held_0_0 <= 12 when (((((other_8 / 16) mod 2) = 1) or (((other_8 / 8) mod 2) = 1)) and (((other_8 / 32)
+      slice1_held_0_0 <= 12 when (((((other_12 / 16) mod 2) = 1) or (((other_12 / 8) mod 2) = 1)) and (((other_12 / 32)
+        mod 4) = 3)) or ((other_12 / 128) = 1) else other_12 / 8;
+      slice1_held_0_1 <= 12 when (((((other_10 / 16) mod 2) = 1) or (((other_10 / 8) mod 2) = 1)) and (((other_10 / 32)
+        mod 4) = 3)) or ((other_10 / 128) = 1) else other_10 / 8;
+      slice1_held_0_2 <= 12 when (((((other_8 / 16) mod 2) = 1) or (((other_8 / 8) mod 2) = 1)) and (((other_8 / 32)
         mod 4) = 3)) or ((other_8 / 128) = 1) else other_8 / 8;
-      slice1_held_0_1 <= 12 when (((((other_7 / 16) mod 2) = 1) or (((other_7 / 8) mod 2) = 1)) and (((other_7 / 32)
-        mod 4) = 3)) or ((other_7 / 128) = 1) else other_7 / 8;
-      slice1_held_0_2 <= 12 when (((((other_6 / 16) mod 2) = 1) or (((other_6 / 8) mod 2) = 1)) and (((other_6 / 32)
+      slice1_held_0_3 <= 12 when (((((other_6 / 16) mod 2) = 1) or (((other_6 / 8) mod 2) = 1)) and (((other_6 / 32)
         mod 4) = 3)) or ((other_6 / 128) = 1) else other_6 / 8;
-      slice1_held_0_3 <= 12 when (((((other_5 / 16) mod 2) = 1) or (((other_5 / 8) mod 2) = 1)) and (((other_5 / 32)
-        mod 4) = 3)) or ((other_5 / 128) = 1) else other_5 / 8;
       slice1_held_0_4 <= 12 when (((((other_4 / 16) mod 2) = 1) or (((other_4 / 8) mod 2) = 1)) and (((other_4 / 32)
         mod 4) = 3)) or ((other_4 / 128) = 1) else other_4 / 8;
       slice1_held_1_0 <= slice1_held_0_0;
@@ -843,19 +842,18 @@ begin
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       -- slice2
-      slice2_held_0_0 <= 12 when (((((other_1 / 16) mod 2) = 1) or (((other_1 / 8) mod 2) = 1)) and (((other_1 / 32)
-        mod 4) = 3)) or ((other_1 / 128) = 1) else other_1 / 8;
+      slice2_held_0_0 <= 12 when (((((other_2 / 16) mod 2) = 1) or (((other_2 / 8) mod 2) = 1)) and (((other_2 / 32)
+        mod 4) = 3)) or ((other_2 / 128) = 1) else other_2 / 8;
       slice2_held_0_1 <= 12 when (((((other_0 / 16) mod 2) = 1) or (((other_0 / 8) mod 2) = 1)) and (((other_0 / 32)
         mod 4) = 3)) or ((other_0 / 128) = 1) else other_0 / 8;
       -- entry
-      entry_order_address_all := (not entry_next_tag_map_column) and slice0_tag_2_output_column and slice0_tag_2_valid;
-      entry_order_address_choice := 0 when entry_order_falls else 7;
-      entry_order_address_all_2 := slice0_tag_2_output_column and slice0_tag_2_valid;
-      entry_order_address_choice_2 := 31 when entry_order_falls else 1;
-      entry_order_address_choice_3 := entry_order_address_choice_2 when entry_order_address_all_2 else 0;
-      entry_order_turned_output_column_all := entry_order_output and entry_order_complete;
-      entry_order_turned_output_column_choice := slice0_tag_2_output_column when entry_order_address_all else
-        entry_order_held_output and slice0_tag_2_output_column;
+      entry_order_falls_any := entry_next_tag_output_column or (not slice0_tag_2_output_column) or (not
+        slice0_tag_2_valid);
+      entry_order_falls_all := (not entry_next_tag_output_column) and slice0_tag_2_output_column and slice0_tag_2_valid;
+      entry_order_complete_all := slice0_tag_2_output_column and slice0_tag_2_valid;
+      entry_order_complete_any := (not slice0_tag_2_output_column) or (not slice0_tag_2_valid);
+      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
+        else entry_order_held_output;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -870,19 +868,14 @@ begin
       entry_next_cost_11 <= slice2_held_0_1;
       entry_next_tag_valid <= slice0_tag_2_valid;
       entry_next_tag_first_cost <= slice0_tag_2_first_cost;
-      entry_next_tag_output_column <= slice0_tag_2_output_column;
+      entry_next_tag_map_column <= slice0_tag_2_output_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_address <= entry_order_address_choice * 4 when entry_order_address_all else
-        (entry_order_address_choice_3 + entry_order_address) mod 32;
-      entry_order_falls <= entry_next_tag_map_column or (not slice0_tag_2_output_column) or (not slice0_tag_2_valid)
-        when entry_order_falls else entry_order_address_all;
-      entry_order_complete <= slice0_tag_2_end_of_line or (not slice0_tag_2_output_column) or (not slice0_tag_2_valid)
-        when entry_order_complete else slice0_tag_2_end_of_line and slice0_tag_2_output_column and slice0_tag_2_valid;
-      entry_order_turned_output_column <= entry_order_turned_output_column_choice when
-        entry_order_turned_output_column_all else (not entry_order_address_all) and entry_order_held_output and
-        slice0_tag_2_output_column;
-      entry_order_turned_first_column <= entry_order_address_all;
-      entry_order_turned_start_of_frame <= (not entry_next_tag_map_column) and slice0_tag_2_output_column and
+      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
+      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
+        entry_order_complete and entry_order_complete_any;
+      entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_output_column;
+      entry_order_turned_first_column <= entry_order_falls_all;
+      entry_order_turned_start_of_frame <= (not entry_next_tag_output_column) and slice0_tag_2_output_column and
         slice0_tag_2_valid and entry_order_first and entry_order_output and entry_order_complete;
       entry_cost_0 <= entry_next_cost_0;
       entry_cost_1 <= entry_next_cost_1;
@@ -898,7 +891,7 @@ begin
       entry_cost_11 <= entry_next_cost_11;
       entry_tag_valid <= entry_next_tag_valid;
       entry_tag_first_cost <= entry_next_tag_first_cost;
-      entry_tag_map_column <= entry_next_tag_output_column;
+      entry_tag_map_column <= entry_next_tag_map_column;
       entry_tag_end_of_line <= entry_next_tag_end_of_line;
       entry_column <= entry_next_column;
       entry_top <= entry_next_top;
@@ -907,16 +900,22 @@ begin
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
       if slice0_tag_2_valid then
-        entry_next_tag_map_column <= slice0_tag_2_output_column;
+        entry_next_tag_output_column <= slice0_tag_2_output_column;
       end if;
-      if entry_order_address_all_2 then
+      if entry_order_complete_all then
         entry_next_column <= 0 when slice0_tag_2_first_cost else (entry_next_column + 1) mod 32;
         entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_cost else entry_next_top;
       end if;
-      if entry_order_address_all then
+      entry_order_address_choice := 31 when entry_order_falls else 1;
+      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if not entry_order_complete_any then
+        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
+          else entry_order_address_choice_2 * 4;
+      end if;
+      if entry_order_falls_all then
         entry_order_output <= slice0_tag_2_map_column;
         entry_order_first <= slice0_tag_2_start_of_frame;
-        entry_order_held_output <= entry_order_turned_output_column_all;
+        entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
       forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
@@ -2099,30 +2098,28 @@ begin
       winners_best_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
-      turn_order_address_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice := 0 when turn_order_falls else 7;
-      turn_order_address_all_2 := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_address_choice_2 := 31 when turn_order_falls else 1;
-      turn_order_address_choice_3 := turn_order_address_choice_2 when turn_order_address_all_2 else 0;
-      turn_order_turned_output_column_all := turn_order_output and turn_order_complete;
-      turn_order_turned_output_column_choice := winners_best_tag_map_column when turn_order_address_all else
-        turn_order_held_output and winners_best_tag_map_column;
-      turn_order_address <= turn_order_address_choice * 4 when turn_order_address_all else (turn_order_address_choice_3
-        + turn_order_address) mod 32;
-      turn_order_falls <= turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid) when
-        turn_order_falls else turn_order_address_all;
-      turn_order_complete <= winners_best_tag_end_of_line or (not winners_best_tag_map_column) or (not
-        winners_best_tag_valid) when turn_order_complete else winners_best_tag_end_of_line and
-        winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      turn_order_address_choice := 31 when turn_order_falls else 1;
+      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
+      if not turn_order_address_any_2 then
+        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
+          turn_order_address_choice_2 * 4;
+      end if;
+      turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
+      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
+        else turn_order_held_output;
+      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
+        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= winners_best_tag_valid;
-      turn_order_turned_output_column <= turn_order_turned_output_column_choice when
-        turn_order_turned_output_column_all else (not turn_order_address_all) and turn_order_held_output and
-        winners_best_tag_map_column;
+      turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
         winners_best_tag_valid and turn_order_first and turn_order_output and turn_order_complete;
       turn_order_turned_end_of_line <= winners_best_tag_end_of_line;
       turn_newest <= winners_best_index_0_0 + 256;
-      turn_comes <= turn_order_address_all_2;
+      turn_comes <= turn_order_complete_all;
       turn_read_tag_valid <= turn_order_turned_valid;
       turn_read_tag_output_column <= turn_order_turned_output_column;
       turn_read_tag_start_of_frame <= turn_order_turned_start_of_frame;
@@ -2135,23 +2132,23 @@ begin
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;
-      if turn_order_address_all then
+      if turn_order_falls_all then
         turn_order_output <= winners_best_tag_output_column;
         turn_order_first <= winners_best_tag_start_of_frame;
-        turn_order_held_output <= turn_order_turned_output_column_all;
+        turn_order_held_output <= turn_order_output and turn_order_complete;
       end if;
       if turn_comes then
         turn_write_words_0 <= turn_newest;
         turn_write_place <= turn_order_address;
       end if;
       -- other
-      other_2_is_less := slice2cost_difference_0_1 < 0;
-      if other_2_is_less then
-        other_2_choice := (65535 - slice2cost_difference_0_1) mod 256;
+      other_1_is_less := slice2cost_difference_0_1 < 0;
+      if other_1_is_less then
+        other_1_choice := (65535 - slice2cost_difference_0_1) mod 256;
       else
-        other_2_choice := positive_part(slice2cost_difference_0_1);
+        other_1_choice := positive_part(slice2cost_difference_0_1);
       end if;
-      other_2_choice_2 := 0 when slice0window_tag_border_column else ((other_2_choice + as_number(other_2_is_less)) mod
+      other_1_choice_2 := 0 when slice0window_tag_border_column else ((other_1_choice + as_number(other_1_is_less)) mod
         256) / 8;
       other_3_is_less := slice2cost_difference_0_0 < 0;
       if other_3_is_less then
@@ -2161,38 +2158,38 @@ begin
       end if;
       other_3_choice_2 := 0 when slice0window_tag_border_column else ((other_3_choice + as_number(other_3_is_less)) mod
         256) / 8;
-      other_9_is_less := slice1cost_difference_0_4 < 0;
-      if other_9_is_less then
-        other_9_choice := (65535 - slice1cost_difference_0_4) mod 256;
+      other_5_is_less := slice1cost_difference_0_4 < 0;
+      if other_5_is_less then
+        other_5_choice := (65535 - slice1cost_difference_0_4) mod 256;
       else
-        other_9_choice := positive_part(slice1cost_difference_0_4);
+        other_5_choice := positive_part(slice1cost_difference_0_4);
+      end if;
+      other_5_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_5_choice + as_number(other_5_is_less))
+        mod 256) / 8;
+      other_7_is_less := slice1cost_difference_0_3 < 0;
+      if other_7_is_less then
+        other_7_choice := (65535 - slice1cost_difference_0_3) mod 256;
+      else
+        other_7_choice := positive_part(slice1cost_difference_0_3);
+      end if;
+      other_7_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_7_choice + as_number(other_7_is_less))
+        mod 256) / 8;
+      other_9_is_less := slice1cost_difference_0_2 < 0;
+      if other_9_is_less then
+        other_9_choice := (65535 - slice1cost_difference_0_2) mod 256;
+      else
+        other_9_choice := positive_part(slice1cost_difference_0_2);
       end if;
       other_9_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_9_choice + as_number(other_9_is_less))
         mod 256) / 8;
-      other_10_is_less := slice1cost_difference_0_3 < 0;
-      if other_10_is_less then
-        other_10_choice := (65535 - slice1cost_difference_0_3) mod 256;
-      else
-        other_10_choice := positive_part(slice1cost_difference_0_3);
-      end if;
-      other_10_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_10_choice +
-        as_number(other_10_is_less)) mod 256) / 8;
-      other_11_is_less := slice1cost_difference_0_2 < 0;
+      other_11_is_less := slice1cost_difference_0_1 < 0;
       if other_11_is_less then
-        other_11_choice := (65535 - slice1cost_difference_0_2) mod 256;
+        other_11_choice := (65535 - slice1cost_difference_0_1) mod 256;
       else
-        other_11_choice := positive_part(slice1cost_difference_0_2);
+        other_11_choice := positive_part(slice1cost_difference_0_1);
       end if;
       other_11_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_11_choice +
         as_number(other_11_is_less)) mod 256) / 8;
-      other_12_is_less := slice1cost_difference_0_1 < 0;
-      if other_12_is_less then
-        other_12_choice := (65535 - slice1cost_difference_0_1) mod 256;
-      else
-        other_12_choice := positive_part(slice1cost_difference_0_1);
-      end if;
-      other_12_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_12_choice +
-        as_number(other_12_is_less)) mod 256) / 8;
       other_13_is_less := slice1cost_difference_0_0 < 0;
       if other_13_is_less then
         other_13_choice := (65535 - slice1cost_difference_0_0) mod 256;
@@ -2201,38 +2198,38 @@ begin
       end if;
       other_13_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_13_choice +
         as_number(other_13_is_less)) mod 256) / 8;
-      other_19_is_less := slice0cost_difference_0_4 < 0;
-      if other_19_is_less then
-        other_19_choice := (65535 - slice0cost_difference_0_4) mod 256;
+      other_15_is_less := slice0cost_difference_0_4 < 0;
+      if other_15_is_less then
+        other_15_choice := (65535 - slice0cost_difference_0_4) mod 256;
       else
-        other_19_choice := positive_part(slice0cost_difference_0_4);
+        other_15_choice := positive_part(slice0cost_difference_0_4);
+      end if;
+      other_15_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_15_choice +
+        as_number(other_15_is_less)) mod 256) / 8;
+      other_17_is_less := slice0cost_difference_0_3 < 0;
+      if other_17_is_less then
+        other_17_choice := (65535 - slice0cost_difference_0_3) mod 256;
+      else
+        other_17_choice := positive_part(slice0cost_difference_0_3);
+      end if;
+      other_17_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_17_choice +
+        as_number(other_17_is_less)) mod 256) / 8;
+      other_19_is_less := slice0cost_difference_0_2 < 0;
+      if other_19_is_less then
+        other_19_choice := (65535 - slice0cost_difference_0_2) mod 256;
+      else
+        other_19_choice := positive_part(slice0cost_difference_0_2);
       end if;
       other_19_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_19_choice +
         as_number(other_19_is_less)) mod 256) / 8;
-      other_20_is_less := slice0cost_difference_0_3 < 0;
-      if other_20_is_less then
-        other_20_choice := (65535 - slice0cost_difference_0_3) mod 256;
-      else
-        other_20_choice := positive_part(slice0cost_difference_0_3);
-      end if;
-      other_20_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_20_choice +
-        as_number(other_20_is_less)) mod 256) / 8;
-      other_21_is_less := slice0cost_difference_0_2 < 0;
+      other_21_is_less := slice0cost_difference_0_1 < 0;
       if other_21_is_less then
-        other_21_choice := (65535 - slice0cost_difference_0_2) mod 256;
+        other_21_choice := (65535 - slice0cost_difference_0_1) mod 256;
       else
-        other_21_choice := positive_part(slice0cost_difference_0_2);
+        other_21_choice := positive_part(slice0cost_difference_0_1);
       end if;
       other_21_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_21_choice +
         as_number(other_21_is_less)) mod 256) / 8;
-      other_22_is_less := slice0cost_difference_0_1 < 0;
-      if other_22_is_less then
-        other_22_choice := (65535 - slice0cost_difference_0_1) mod 256;
-      else
-        other_22_choice := positive_part(slice0cost_difference_0_1);
-      end if;
-      other_22_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_22_choice +
-        as_number(other_22_is_less)) mod 256) / 8;
       other_23_is_less := slice0cost_difference_0_0 < 0;
       if other_23_is_less then
         other_23_choice := (65535 - slice0cost_difference_0_0) mod 256;
@@ -2241,29 +2238,29 @@ begin
       end if;
       other_23_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_23_choice +
         as_number(other_23_is_less)) mod 256) / 8;
-      other_0 <= other_2;
-      other_1 <= other_3;
-      other_2 <= other_2_choice_2 * 8;
+      other_0 <= other_1;
+      other_1 <= other_1_choice_2 * 8;
+      other_2 <= other_3;
       other_3 <= other_3_choice_2 * 8;
-      other_4 <= other_9;
-      other_5 <= other_10;
-      other_6 <= other_11;
-      other_7 <= other_12;
-      other_8 <= other_13;
+      other_4 <= other_5;
+      other_5 <= other_5_choice_2 * 8;
+      other_6 <= other_7;
+      other_7 <= other_7_choice_2 * 8;
+      other_8 <= other_9;
       other_9 <= other_9_choice_2 * 8;
-      other_10 <= other_10_choice_2 * 8;
+      other_10 <= other_11;
       other_11 <= other_11_choice_2 * 8;
-      other_12 <= other_12_choice_2 * 8;
+      other_12 <= other_13;
       other_13 <= other_13_choice_2 * 8;
-      other_14 <= other_19;
-      other_15 <= other_20;
-      other_16 <= other_21;
-      other_17 <= other_22;
-      other_18 <= other_23;
+      other_14 <= other_15;
+      other_15 <= other_15_choice_2 * 8;
+      other_16 <= other_17;
+      other_17 <= other_17_choice_2 * 8;
+      other_18 <= other_19;
       other_19 <= other_19_choice_2 * 8;
-      other_20 <= other_20_choice_2 * 8;
+      other_20 <= other_21;
       other_21 <= other_21_choice_2 * 8;
-      other_22 <= other_22_choice_2 * 8;
+      other_22 <= other_23;
       other_23 <= other_23_choice_2 * 8;
       if reset = '1' then
         raster_features_valid <= false;

@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 125,
       gap_groups => 0,
-      core_id => x"3432d3da",
+      core_id => x"711de441",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
