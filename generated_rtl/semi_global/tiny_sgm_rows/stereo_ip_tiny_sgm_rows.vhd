@@ -64,7 +64,7 @@ begin
       latency_clocks => 34,
       flush_groups => 207,
       gap_groups => 0,
-      core_id => x"e702d951",
+      core_id => x"0cdc93d9",
       enabled_at_reset => enabled_at_reset)
     port map (
       aclk => aclk,
