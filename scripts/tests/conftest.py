@@ -12,7 +12,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "scripts"))
 
-from flow.base.errors import EXIT_MISSING_TOOL, FlowError  # noqa: E402 -- the path comes first
+from flow.base import venv  # noqa: E402 -- the path comes first
+from flow.base.errors import EXIT_MISSING_TOOL, FlowError  # noqa: E402
 
 SEED = int(os.environ.get("STEREO_TEST_SEED", "20070925"))
 
@@ -56,3 +57,9 @@ def verilator():
 @pytest.fixture
 def yosys():
     return need("yosys", "YOSYS")
+
+
+@pytest.fixture(scope="session")
+def fusesoc():
+    requirements = ROOT / "scripts" / "requirements-fusesoc.txt"
+    return where_reachable(lambda: venv.ensure("venv-fusesoc", requirements, "fusesoc"))

@@ -8,10 +8,7 @@ import subprocess
 import pytest
 
 import kits
-from conftest import where_reachable
-from flow.base import venv
 from flow.base.ghdl import STANDARD
-from flow.base.tools import ROOT
 from flow.implementation.results import Configuration
 from flow.pages import camera
 
@@ -91,12 +88,6 @@ def test_the_bench_notices_a_fault(ghdl, tmp_path, said):
     path.write_text(text)
     process = bench(ghdl, kit)
     assert process.returncode != 0 and said in process.stdout + process.stderr, process.stdout + process.stderr
-
-
-@pytest.fixture(scope="module")
-def fusesoc():
-    requirements = ROOT / "scripts" / "requirements-fusesoc.txt"
-    return where_reachable(lambda: venv.ensure("venv-fusesoc", requirements, "fusesoc"))
 
 
 @pytest.mark.parametrize("target, words", [("sim", ["passed: "]), ("lint", ["ghdl -m"])])

@@ -11,19 +11,12 @@ from functools import partial
 import pytest
 
 from conftest import where_reachable
-from flow.base import rtl, venv
+from flow.base import rtl
 from flow.base.ghdl import STANDARD
 from flow.base.tools import ROOT
 from flow.shell import cocotb_runs, design, example, template
 from flow.synthesis import manifest
 from flow_commands import call, refused
-
-
-@pytest.fixture(scope="module")
-def fusesoc():
-    return where_reachable(
-        lambda: venv.ensure("venv-fusesoc", ROOT / "scripts" / "requirements-fusesoc.txt", "fusesoc")
-    )
 
 
 def ghdl_run(ghdl, folder, files, top):
