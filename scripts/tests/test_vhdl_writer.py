@@ -161,6 +161,25 @@ def test_only_a_sum_of_terms_that_share_no_bit_becomes_a_concatenation(ghdl, rng
         assert_alike(netlist.Netlist(inputs, outputs, [register]), rng, tmp_path / str(number))
 
 
+@pytest.mark.parametrize("low", [3, 13, 35])
+def test_a_word_may_hold_a_word(ghdl, rng, tmp_path, low):
+    """A wide register takes a pixel and, above it, a word of 40 bits that has no name of its own."""
+    left, right = n.leaf("input", "left_pixel", 8), n.leaf("input", "right_pixel", 8)
+    inner = n.add(right, n.shift_left(left, 16), n.shift_left(n.bitwise("xor", left, right), 32))
+    held = netlist.Register("word_held", n.leaf("register", "word_held", 50))
+    held.next = n.add(left, n.shift_left(inner, 10))
+    assert n.disjoint_ones(held.next.args) is not None
+    design = netlist.Netlist({name: n.leaf("input", name, w) for name, w in INPUTS.items()})
+    design.inputs.update({"left_pixel": left, "right_pixel": right})
+    design.registers = [held]
+    design.outputs = {
+        "disparity": n.wrap(n.shift_right(held.value, low), 8),
+        "disparity_valid": n.const(1),
+        **dict.fromkeys(("pixel_valid", "disparity_start_of_frame", "disparity_end_of_line"), n.const(0)),
+    }
+    assert_alike(design, rng, tmp_path)
+
+
 def test_ranges_follow_a_pipeline_and_leave_counters_alone():
     pixel = n.leaf("input", "left_pixel", 8)
     difference, total = (netlist.Register(name, n.leaf("register", name, 16)) for name in ("difference", "total"))

@@ -192,7 +192,7 @@ class Writer:
         return " & ".join(texts)
 
     def _slice(self, node: Node, width: int) -> str:
-        """`node`, known to fit, as a vector of `width` bits; slices of words stay slices."""
+        """`node`, known to fit, as a vector of `width` bits; slices of words stay slices, words within words words."""
         base, high, low = node, node.width - 1, 0
         if node.op == "wrap":
             base, high = node.args[0], node.wrapping[0] - 1
@@ -201,4 +201,6 @@ class Writer:
             high, base = high + low if node.op == "wrap" else base.args[0].width - 1, base.args[0]
         if self._is_wide_name(base) and high - low + 1 == width:
             return f"{self._name(base)}({high} downto {low})"
+        if is_wide(node):
+            return self.word(node, width)
         return f"to_unsigned({self.number(node)}, {width})"
