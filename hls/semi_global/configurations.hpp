@@ -15,11 +15,11 @@ STEREO_ROW(tiny_sgm, tiny, Config(), width_px = 40, height_px = 12, disparities 
 // system: the recommended options.
 STEREO_ROW(sgm_450, system, Config(), width_px = 450, height_px = 375, disparities = 64, reference = Reference::left,
            median = true, slice_disparities = 16);
-// planned: larger ones, whose VHDL is not made yet: docs/semi_global.md.
+
 // Costs of single pixels: fewer look-up tables for each disparity, for a little more error (docs/quality.md).
 STEREO_ROW(sgm_640, system, sgm_450, width_px = 640, height_px = 480, disparities = 128, window_px = 1,
            census_width_px = 9, cost_shift = 2, p1 = 4, p2 = 24);
-STEREO_ROW(sgm_1280, planned, sgm_640, width_px = 1280, height_px = 720, disparities = 64);
+STEREO_ROW(sgm_1280, system, sgm_640, width_px = 1280, height_px = 720, disparities = 64);
 
 // option: one option after the other, alone and together, at a size that a test can afford.
 STEREO_ROW(tiny_sgm_left, option, tiny_sgm, reference = Reference::left);
