@@ -155,6 +155,10 @@ STEREO_ROW(tiny_all_p4, option, tiny, pixels_per_clock = 4, prefilter = Prefilte
 STEREO_ROW(tiny_all_recursive, option, tiny, window_px = 7, min_disparity = 1, prefilter = Prefilter::xsobel,
            left_right_threshold = 1, uniqueness_percent = 10, texture_threshold = 100, subpixel = true, median = true,
            aggregation = Aggregation::recursive);
+STEREO_ROW(tiny_full, option, tiny, full_width = true);
+STEREO_ROW(tiny_full_p2, option, tiny, pixels_per_clock = 2, window_px = 4, reference = Reference::left,
+           min_disparity = 2, left_right_threshold = 1, full_width = true);
+STEREO_ROW(tiny_full_all, option, tiny_all, min_disparity = -3, full_width = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations
