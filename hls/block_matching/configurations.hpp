@@ -51,6 +51,8 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
            reference = Reference::left, cost = Cost::census, census_width_px = 9, census_height_px = 3,
            subpixel = true, median = true, aggregation = Aggregation::recursive, slice_disparities = 16);
 
+STEREO_ROW(census_450_full, system, census_450, full_width = true);
+
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
 STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,
            slice_disparities = 8);

@@ -184,7 +184,7 @@ struct Refinement {
          bool at_start = best.index == 0, at_end = best.index == C.disparities - 1;
          if constexpr (kFullWidth<C>) {
             at_start = at_start | (best.below == kMaskedCost<C>);
-            at_end = at_end | (best.above == kMaskedCost<C>);
+            at_end = (at_end | (best.above == kMaskedCost<C>)) & !at_start;  // with none of them, both are the same
          }
          below[p] = select<Value>(at_start, best.above, best.below);
          above[p] = select<Value>(at_end, best.below, best.above);
