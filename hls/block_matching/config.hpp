@@ -134,7 +134,8 @@ struct Config : Image, Matching, Structure {
       if (width_px <= disparities) return "the image must be wider than the disparity range";
       if (min_disparity < -width_px || min_disparity > width_px || width_px - first_whole_column() < 2)
          return "the disparity range lies outside the image";
-      if (full_width && width_px <= window_px) return "with a map of full width the image must be wider than the window";
+      if (full_width && width_px <= window_px)
+         return "with a map of full width the image must be wider than the window";
       if (!full_width && first_cost_column() < window_px / 2)
          return "the disparity range must exceed the window's radius";
       if (row_groups() <= delay_groups()) return "the image must be higher than the rows that a window waits for";

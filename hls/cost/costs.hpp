@@ -14,7 +14,6 @@ using WindowCost = uint_of_bits<bits_for(C.largest_window_cost() + (kFullWidth<C
 
 /// With full_width: stands for the cost of a candidate that is not searched. Larger than every cost.
 template <const auto& C>
-inline constexpr WindowCost<C> kMaskedCost =
-    WindowCost<C>((uint64_t(1) << bits_for(C.largest_window_cost() + 1)) - 1);
+inline constexpr WindowCost<C> kMaskedCost = WindowCost<C>((uint64_t(1) << bits_for(C.largest_window_cost() + 1)) - 1);
 
 }  // namespace stereo

@@ -44,8 +44,7 @@ struct PathWinners {
          WindowCost<kSumConfig<C>> shown[1][C.disparities];
          mask.hide(sums.sum, shown);
          winner.clock(shown, sums.tag);
-         if constexpr (C.has_left_right_check())
-            other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>(), mask);
+         if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>(), mask);
       } else {
          winner.clock(sums.sum, sums.tag);
          if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>());

@@ -63,7 +63,7 @@ TYPED_TEST(CandidateMaskTest, SaysWhichDisparitiesLeadIntoTheOtherImage) {
    int compared = 0;
    for (int row = 0; row < 50; ++row) {
       const int columns = row % 7 == 6 ? 1 + random.below(kWidth) : C.width_px;  // some rows break off
-      int of_second = -1;                                                      // the column whose tag it has
+      int of_second = -1;                                                        // the column whose tag it has
       for (int x = 0; x <= columns;) {
          PixelTag tag = random_tag(random);
          if (x == columns) tag.valid = false;  // the second block's last column

@@ -52,8 +52,7 @@ SearchedRange searched_range(int x, int width, const Matching& matching) {
 }
 
 int map_first_column(const Matching& matching) {
-   if (matching.full_width)
-      return matching.reference == Reference::right ? rows_above(matching) : rows_below(matching);
+   if (matching.full_width) return matching.reference == Reference::right ? rows_above(matching) : rows_below(matching);
    return matching.reference == Reference::right ? first_cost_column(matching)
                                                  : std::max(1, matching.disparities + matching.min_disparity);
 }

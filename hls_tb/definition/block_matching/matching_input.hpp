@@ -29,8 +29,8 @@ int whole_columns(int width_px, const Matching& matching);
 int cost_columns(int width_px, const Matching& matching);
 /// Width of the disparity map: that of the cost columns but for one, or with full_width of the windows in the image.
 int map_width(int width_px, const Matching& matching);
-/// The disparities first ... last that are searched in a column of a map of this width; none where last < first. For the
-/// right image as reference.
+/// The disparities first ... last that are searched in a column of a map of this width; none where last < first. For
+/// the right image as reference.
 struct SearchedRange {
    int first, last;
 };

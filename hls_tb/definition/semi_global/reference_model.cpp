@@ -133,8 +133,7 @@ GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, in
       for (int x = 0; x < passes.width; ++x) {
          const int winner = winners.at(x, y), smallest = sums.at(x, y, winner);
          for (int d = 0; d < sums.disparities; ++d)
-            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate &&
-                sums.at(x, y, d) - smallest < distance)
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate && sums.at(x, y, d) - smallest < distance)
                passes.at(x, y) = 0;
       }
    return passes;

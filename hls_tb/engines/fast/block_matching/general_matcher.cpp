@@ -140,11 +140,11 @@ struct Matcher {
 
    const AlignedPair<Pixel>& pair;
    const Matching& matching;
-   int lanes, before, after;  ///< columns of the window before and after its centre's
-   std::vector<Sum> columns;  ///< [x][d]: sums over the window's rows
-   std::vector<Sum> sums;     ///< [d]: sums over the window
-   std::vector<Sum> searched; ///< [d]: those of candidates, with full_width
-   std::vector<int> winners;  ///< [x]: of this row
+   int lanes, before, after;   ///< columns of the window before and after its centre's
+   std::vector<Sum> columns;   ///< [x][d]: sums over the window's rows
+   std::vector<Sum> sums;      ///< [d]: sums over the window
+   std::vector<Sum> searched;  ///< [d]: those of candidates, with full_width
+   std::vector<int> winners;   ///< [x]: of this row
    OtherWinners<Sum> other;
    DisparityMap& map;
 };

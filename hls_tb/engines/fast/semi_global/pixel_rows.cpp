@@ -16,8 +16,7 @@ void copy_columns(const std::vector<uint8_t>& pixels, int width, int first, int 
    const std::ptrdiff_t rows = std::ptrdiff_t(pixels.size()) / width;
    to.resize(std::size_t(rows * stride));
    for (std::ptrdiff_t y = 0; y < rows; ++y)
-      std::copy_n(pixels.begin() + y * width + std::max(first, 0),
-                  std::min(count, width - first) - std::max(-first, 0),
+      std::copy_n(pixels.begin() + y * width + std::max(first, 0), std::min(count, width - first) - std::max(-first, 0),
                   to.begin() + y * stride + std::max(-first, 0));
 }
 
