@@ -37,6 +37,7 @@ stereo_add_unit_tests(
   blocks/cost/sad_cost_test.cpp
   blocks/cost/sign_memory_test.cpp
   blocks/cost/window_sum_test.cpp
+  blocks/winner/candidate_mask_test.cpp
   blocks/winner/candidate_test.cpp
   blocks/winner/diagonal_minimum_test.cpp
   blocks/winner/left_right_check_test.cpp

@@ -31,7 +31,8 @@ struct Config : Image, Matching, Structure {
    // reference mirrored.
    constexpr int rows_above() const { return window_px / 2; }
    constexpr int rows_below() const { return (window_px - 1) / 2; }
-   /// Columns of a window that come in after its centre's.
+   /// Columns of a window that come in before and after its centre's.
+   constexpr int columns_before() const { return window_px - 1 - columns_after(); }
    constexpr int columns_after() const { return reference == Reference::right ? rows_below() : rows_above(); }
 
    // The images meet with an offset: when column t of the image that is ahead comes in, the cost column of the
@@ -39,14 +40,20 @@ struct Config : Image, Matching, Structure {
    constexpr int reference_delay() const { return at_least_0(reference_offset()); }
    /// Columns by which the other image, the one that is searched, is held back.
    constexpr int search_delay() const { return at_least_0(-reference_offset()); }
-   /// The column with which the first cost column of a row is complete.
-   constexpr int first_cost_column() const { return larger(reference_delay(), disparities - 1 + search_delay()); }
-   constexpr int cost_columns() const { return width_px - first_cost_column(); }
+   /// The column with which the first column of a row at which all disparities fit is complete.
+   constexpr int first_whole_column() const { return larger(reference_delay(), disparities - 1 + search_delay()); }
+   /// The column with which the first cost column of a row is complete. With full_width every column of the reference
+   /// is one; the last reference_delay() of a row come with the first columns of the next one.
+   constexpr int first_cost_column() const { return full_width ? reference_delay() : first_whole_column(); }
+   constexpr int cost_columns() const { return full_width ? width_px : width_px - first_cost_column(); }
    /// The column with which the first window centre of a row that belongs to the map is there: the map leaves out the
-   /// last cost column of the right, the first one of the left reference.
-   constexpr int first_map_column() const { return first_cost_column() + (reference == Reference::left ? 1 : 0); }
+   /// last cost column of the right, the first one of the left reference. With full_width it has the windows that lie
+   /// in the image.
+   constexpr int first_map_column() const {
+      return first_cost_column() + (full_width ? columns_before() : reference == Reference::left ? 1 : 0);
+   }
    /// Disparity maps are as wide as there are cost columns, but for the last one (Ambrosch et al., section 4).
-   constexpr int output_width_px() const { return cost_columns() - 1; }
+   constexpr int output_width_px() const { return cost_columns() - (full_width ? window_px - 1 : 1); }
    constexpr int output_height_px() const { return height_px; }
    /// Column of the reference image of the map's first column.
    constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
@@ -125,9 +132,12 @@ struct Config : Image, Matching, Structure {
       if (height_px < window_px) return "the image height must be window_px ... 4096 pixels";
       if (disparities < 2) return "the disparity range must be 2 ... 256";
       if (width_px <= disparities) return "the image must be wider than the disparity range";
-      if (min_disparity < -width_px || min_disparity > width_px || cost_columns() < 2)
+      if (min_disparity < -width_px || min_disparity > width_px || width_px - first_whole_column() < 2)
          return "the disparity range lies outside the image";
-      if (first_cost_column() < window_px / 2) return "the disparity range must exceed the window's radius";
+      if (full_width && width_px <= window_px)
+         return "with a map of full width the image must be wider than the window";
+      if (!full_width && first_cost_column() < window_px / 2)
+         return "the disparity range must exceed the window's radius";
       if (row_groups() <= delay_groups()) return "the image must be higher than the rows that a window waits for";
       if (sign_memory && (aggregation != Aggregation::direct || cost != Cost::sad || cost_clocks != 3 || width_px < 8 ||
                           texture_threshold > 0))

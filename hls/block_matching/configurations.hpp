@@ -51,6 +51,8 @@ STEREO_ROW(census_450, system, Config(), width_px = 450, height_px = 375, dispar
            reference = Reference::left, cost = Cost::census, census_width_px = 9, census_height_px = 3,
            subpixel = true, median = true, aggregation = Aggregation::recursive, slice_disparities = 16);
 
+STEREO_ROW(census_450_full, system, census_450, full_width = true);
+
 // study: what one option costs; each beside `study`, which has none (docs/features.md).
 STEREO_ROW(study, study, Config(), width_px = 320, height_px = 64, disparities = 16, window_px = 5,
            slice_disparities = 8);
@@ -155,6 +157,10 @@ STEREO_ROW(tiny_all_p4, option, tiny, pixels_per_clock = 4, prefilter = Prefilte
 STEREO_ROW(tiny_all_recursive, option, tiny, window_px = 7, min_disparity = 1, prefilter = Prefilter::xsobel,
            left_right_threshold = 1, uniqueness_percent = 10, texture_threshold = 100, subpixel = true, median = true,
            aggregation = Aggregation::recursive);
+STEREO_ROW(tiny_full, option, tiny, full_width = true);
+STEREO_ROW(tiny_full_p2, option, tiny, pixels_per_clock = 2, window_px = 4, reference = Reference::left,
+           min_disparity = 2, left_right_threshold = 1, full_width = true);
+STEREO_ROW(tiny_full_all, option, tiny_all, min_disparity = -3, full_width = true);
 // clang-format on
 
 }  // namespace stereo::block_matching::configurations

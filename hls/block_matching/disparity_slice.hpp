@@ -5,6 +5,7 @@
 #include "cost/disparity_shift.hpp"
 #include "cost/window_sum.hpp"
 #include "winner/candidate.hpp"
+#include "winner/candidate_mask.hpp"
 #include "winner/diagonal_minimum.hpp"
 #include "winner/gated_tree.hpp"
 
@@ -31,6 +32,7 @@ struct DisparitySlice {
    using Window = WindowBlock<C, kCount>;
    static constexpr int kLevels = winner_clocks<WindowCandidate<C>>(C.largest_slice(), C.winner_group);
    using Winner = WinnerBlock<WindowCandidate<C>, PixelTag, kPixels, C.winner_group, kCount, kLevels>;
+   using Mask = std::conditional_t<kFullWidth<C>, CandidateMask<C, kCount, kFirst>, NoMask>;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
    /// From the rows' arrival at this slice to the best candidate of all slices (its losers come a clock later): a clock
    /// for each slice behind this one, the blocks of the last slice, and the comparison with the slice before it.
@@ -42,6 +44,7 @@ struct DisparitySlice {
    Shift shift;
    Column cost;
    Window window;
+   [[no_unique_address]] Mask mask;
    DiagonalMinimum<C, (C.has_left_right_check() ? kCount : 1)> other;
    Winner winner;
    Candidates<WindowCandidate<C>, kPixels, 1> best;  ///< of this slice and those before it; its index is the disparity
@@ -59,6 +62,7 @@ struct DisparitySlice {
       visit.block("shift", shift);
       visit.block("cost", cost);
       visit.block("window", window);
+      if constexpr (kFullWidth<C>) visit.block("mask", mask);
       if constexpr (C.has_left_right_check()) visit.block("other", other);
       winner.levels(visit);
       visit("best", best);
@@ -96,9 +100,17 @@ struct DisparitySlice {
          }
       }
       best_tag = root.tag;
-      winner.clock(window.sum, window.tag);
-      if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other);
+      if constexpr (kFullWidth<C>) {
+         WindowCost<C> shown[kPixels][kCount];
+         mask.hide(window.sum, shown);
+         winner.clock(shown, window.tag);
+         if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other, mask);
+      } else {
+         winner.clock(window.sum, window.tag);
+         if constexpr (C.has_left_right_check()) other.clock(window.sum, window.tag, kFirst, rival.other);
+      }
       window.clock(cost);
+      if constexpr (kFullWidth<C>) mask.clock(window.tag, rival.mask);
       if constexpr (C.remembers_signs()) cost.clock(shift, early_column);
       else cost.clock(shift);
       shift.clock(search, reference, tag);
@@ -115,6 +127,7 @@ template <const auto& C>
 struct NoRival {
    static constexpr bool kIsNone = true;
    NoDiagonal<C> other;
+   [[no_unique_address]] NoMask mask;
 };
 
 /// Behind the last slice there are no disparities left.

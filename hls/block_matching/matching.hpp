@@ -23,12 +23,19 @@ struct Matching {
    int texture_threshold = 0;      ///< 0 ... prefilter_cap * window_px^2; 0: no check
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
+   bool full_width = false;        ///< a disparity for every pixel whose window lies in the image
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
    constexpr bool has_uniqueness_check() const { return uniqueness_percent > 0; }
    constexpr bool has_texture_check() const { return texture_threshold > 0; }
    /// Any of them: without one every pixel is valid.
-   constexpr bool has_check() const { return has_left_right_check() || has_uniqueness_check() || has_texture_check(); }
+   constexpr bool has_check() const {
+      return has_left_right_check() || has_uniqueness_check() || has_texture_check() || has_lost_pixels();
+   }
+   /// With full_width: some pixels at an end of a row have no candidate in the other image.
+   constexpr bool has_lost_pixels() const {
+      return full_width && (min_disparity > 0 || min_disparity < 1 - disparities);
+   }
 
    template <class Self, class Visitor>
    static constexpr void options(Self& self, Visitor& visit) {
@@ -47,6 +54,7 @@ struct Matching {
       visit("texture_threshold", self.texture_threshold, 0, self.largest_texture(), "the texture threshold");
       visit("subpixel", self.subpixel);
       visit("median", self.median);
+      visit("full_width", self.full_width);
    }
 
    /// Why nothing can be matched with these options; empty when it can.
@@ -58,6 +66,7 @@ struct Matching {
       }
       if (cost == Cost::census && prefilter != Prefilter::none) return "the census transform takes no prefilter";
       if (has_texture_check() && prefilter != Prefilter::xsobel) return "the texture check needs the prefilter";
+      if (full_width && window_px < 2) return "a map of full width needs a window of 2x2 pixels or more";
       return {};
    }
 

@@ -21,10 +21,13 @@ struct LineBuffer {
    Rows search_rows;
    Rows reference_rows;
 
+   static constexpr bool kSplitsRows = PairDelay<C>::kSplitsRows;
+
    struct Place {
       uint16_t column;
       bool inside[kTaps];
       PixelTag tag;
+      bool search_inside[kSplitsRows ? kTaps : 1];  ///< of the searched image where it is another row's
 
       HLS_INLINE Place() { start(*this); }
 
@@ -33,6 +36,7 @@ struct LineBuffer {
          visit("column", column);
          visit("inside", inside);
          visit("tag", tag);
+         if constexpr (kSplitsRows) visit("search_inside", search_inside);
       }
    };
    Place read;   // clock 1
@@ -68,7 +72,10 @@ struct LineBuffer {
       HLS_UNROLL
       for (int t = 0; t < kTaps; ++t) {
          const bool shown = ready.inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
-         search[t] = select<Feature<C>>(shown, search_rows.row(C.tap_row(t)), 0);
+         bool search_shown = shown;
+         if constexpr (kSplitsRows)
+            search_shown = ready.search_inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
+         search[t] = select<Feature<C>>(search_shown, search_rows.row(C.tap_row(t)), 0);
          reference[t] = select<Feature<C>>(shown, reference_rows.row(C.tap_row(t)), 0);
          inside[t] = ready.inside[t];
       }
@@ -91,6 +98,10 @@ struct LineBuffer {
       for (int t = 0; t < kTaps; ++t) {
          ready.inside[t] = read.inside[t];
          read.inside[t] = in.row_inside[t];
+         if constexpr (kSplitsRows) {
+            ready.search_inside[t] = read.search_inside[t];
+            read.search_inside[t] = in.search_inside[t];
+         }
       }
    }
 };

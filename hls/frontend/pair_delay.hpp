@@ -3,6 +3,7 @@
 
 #include "frontend/pixel_tag.hpp"
 #include "frontend/raster.hpp"
+#include "support/full_width.hpp"
 #include "support/packed.hpp"
 #include "support/ring.hpp"
 
@@ -29,6 +30,12 @@ struct PairDelay {
    uint16_t column;             ///< of `ahead`
    bool row_inside[kTaps];      ///< [t]: tap t is a row of the frame whose windows are summed
    PixelTag tag;
+   // With full_width the image that is held back still shows the end of the row before when the next one begins.
+   static constexpr bool kSplitsRows = kFullWidth<C> && kDelay > 0;
+   bool search_inside[kSplitsRows ? kTaps : 1];  ///< [t]: of the searched image; row_inside is of the reference then
+   bool inside_before[kSplitsRows ? kTaps : 1];  ///< [t]: of the row before, as the following
+   bool output_before, first_before, start_before;
+   bool whole_before;  ///< the row before was not broken off
 
    template <class Source, int First>
    HLS_INLINE PairDelay(Source& memories, MemoryId<First> first) : ring(memories, first) {
@@ -43,6 +50,14 @@ struct PairDelay {
       visit("column", column);
       visit("row_inside", row_inside);
       visit("tag", tag);
+      if constexpr (kSplitsRows) {
+         visit("search_inside", search_inside);
+         visit("inside_before", inside_before);
+         visit("output_before", output_before);
+         visit("first_before", first_before);
+         visit("start_before", start_before);
+         visit("whole_before", whole_before);
+      }
    }
 
    HLS_INLINE Feature<C> search(int p) const { return kDelaysReference ? ahead[p] : Pack::lane(delayed, p); }
@@ -59,10 +74,15 @@ struct PairDelay {
       }
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) ahead[p] = kDelaysReference ? in.search[p] : in.reference[p];
-      column = raster.place.column;
-      HLS_UNROLL
-      for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(raster.place.group, t);
-      tag_place(raster);
+      if constexpr (kFullWidth<C>) {
+         tag_full_width(raster);
+         column = raster.place.column;
+      } else {
+         column = raster.place.column;
+         HLS_UNROLL
+         for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(raster.place.group, t);
+         tag_place(raster);
+      }
    }
 
    /// First and last group of a frame in which tap t shows an image row: 0 ... H-1.
@@ -98,6 +118,66 @@ struct PairDelay {
       tag.first_column = column_now == kFirstMap;
       tag.start_of_frame = group == C.delay_groups() && column_now == kFirstMap;
       tag.end_of_line = column_now == kLastMap;
+   }
+
+   /// Whether the reference's column is one of first ... last; the delay is less than a row.
+   static HLS_INLINE bool is_column(uint16_t column_now, int first, int last) {
+      const int from = first + C.reference_delay(), to = last + C.reference_delay();
+      if (to < C.width_px) return (column_now >= from) & (column_now <= to);
+      if (from >= C.width_px) return (column_now >= from - C.width_px) & (column_now <= to - C.width_px);
+      return (column_now >= from) | (column_now <= to - C.width_px);
+   }
+
+   /// All that a tag says is of the reference's pixel.
+   HLS_INLINE void tag_full_width(const Raster<C>& raster) {
+      constexpr int kFirst = C.columns_before(), kLast = kFirst + C.output_width_px() - 1;
+      const uint16_t column_now = raster.place.column, group = raster.place.group;
+      bool output_group = (group >= C.delay_groups()) & (group < decltype(raster.place)::kIdle);
+      bool first_group = group == 0, start_group = group == C.delay_groups(), is_whole = true;
+      HLS_UNROLL
+      for (int t = 0; t < kTaps; ++t) row_inside[t] = is_inside(group, t);
+      if constexpr (kSplitsRows) {
+         const bool move = raster.features.valid;
+         const bool ends = move & (column_now == C.width_px - 1);
+         const bool goes_on = !move | (column_now != 0) | (column == C.width_px - 1);  // no row has been broken off
+         const bool is_before = column_now < kDelay;
+         HLS_UNROLL
+         for (int t = 0; t < kTaps; ++t) {
+            const bool now = row_inside[t];
+            const bool held_back = of_row(is_before, ends, goes_on, inside_before[t], now);
+            row_inside[t] = kDelaysReference ? held_back : now;
+            search_inside[t] = kDelaysReference ? now : held_back;
+         }
+         if constexpr (kDelaysReference) {
+            output_group = of_row(is_before, ends, goes_on, output_before, output_group);
+            first_group = of_row(is_before, ends, goes_on, first_before, first_group);
+            start_group = of_row(is_before, ends, goes_on, start_before, start_group);
+            is_whole = of_row(is_before, ends, goes_on, whole_before, true);
+         }
+      }
+      tag.valid = raster.features.valid;
+      tag.row_start = column_now == 0;
+      tag.first_group = first_group;
+      tag.newest_inside = 0;
+      HLS_UNROLL
+      for (int p = 0; p < kPixels; ++p)
+         tag.newest_inside = uint8_t(tag.newest_inside | uint8_t(row_inside[kTaps - kPixels + p]) << p);
+      tag.border_column = false;
+      tag.first_cost = is_column(column_now, 0, 0);
+      tag.leaves_window = is_column(column_now, C.window_px, C.width_px - 1);
+      tag.map_column = is_column(column_now, kFirst, kLast) & is_whole;
+      tag.output_column = tag.map_column & output_group;
+      tag.first_column = is_column(column_now, kFirst, kFirst) & is_whole;
+      tag.start_of_frame = tag.first_column & start_group;
+      tag.end_of_line = is_column(column_now, kLast, kLast) & is_whole;
+   }
+
+   /// What holds for the image that is held back: in its first columns what held for the row before, or nothing. Keeps
+   /// what holds now for the next row.
+   static HLS_INLINE bool of_row(bool is_before, bool ends, bool goes_on, bool& before, bool now) {
+      const bool kept = before & goes_on;
+      before = select<bool>(ends, now, kept);
+      return select<bool>(is_before, kept, now);
    }
 };
 

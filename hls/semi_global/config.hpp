@@ -9,10 +9,14 @@
 namespace stereo::semi_global {
 
 /// The block matching whose window costs the paths see: what the blocks up to the windows are templates over. Its map
-/// has all cost columns: a path that leaves out a column would lose it for nothing.
+/// has all cost columns: a path that leaves out a column would lose it for nothing. With full_width it is the same.
 struct WindowConfig : block_matching::Config {
-   constexpr int first_map_column() const { return first_cost_column(); }
-   constexpr int output_width_px() const { return cost_columns(); }
+   constexpr int first_map_column() const {
+      return full_width ? block_matching::Config::first_map_column() : first_cost_column();
+   }
+   constexpr int output_width_px() const {
+      return full_width ? block_matching::Config::output_width_px() : cost_columns();
+   }
    constexpr int output_first_column() const { return first_map_column() - reference_delay(); }
 
    /// Windows of a single pixel need no block that sums, so that block matching's limit does not hold.
@@ -85,7 +89,11 @@ struct Config : Image, Matching, Structure {
       if (const Sentence sentence = windows().problem(); !sentence.empty()) return sentence;
       if (pixels_per_clock != 1) return "the semi-global core takes one pixel pair a clock";
       if (disparities < 8) return "the disparity range must be 8 ... 256";
-      if (width_px - output_width_px() < turn_columns()) {
+      if (full_width && width_px < turn_columns() + 4) {
+         Sentence sentence = "with a map of full width the image must be ";
+         return sentence << turn_columns() + 4 << " columns wide or more";
+      }
+      if (!full_width && width_px - output_width_px() < turn_columns()) {
          Sentence sentence = "the disparity range must leave ";
          return sentence << turn_columns() << " columns between the maps of two rows but leaves "
                          << width_px - output_width_px();

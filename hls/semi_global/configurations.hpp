@@ -52,6 +52,9 @@ STEREO_ROW(tiny_sgm_d19, option, tiny_sgm, width_px = 47, disparities = 19, slic
 STEREO_ROW(tiny_sgm_all, option, tiny_sgm, left_right_threshold = 1, uniqueness_distance = 3, subpixel = true,
            median = true);
 STEREO_ROW(tiny_sgm_all_left, option, tiny_sgm_all, reference = Reference::left, ties = Ties::largest);
+STEREO_ROW(tiny_sgm_full, option, tiny_sgm, full_width = true);
+STEREO_ROW(tiny_sgm_full_all, option, tiny_sgm_all, reference = Reference::left, min_disparity = 2, ties = Ties::largest,
+           full_width = true);
 // clang-format on
 
 }  // namespace stereo::semi_global::configurations

@@ -143,6 +143,7 @@ struct Core {
       refinement.clock(winners, NoTexture());
       winners.clock(sums);
       sums.clock(entry, forward);
+      winners.follow(sums.tag);
       forward.clock(entry);
       entry.clock(slices);
       slices.clock(rows.search, rows.reference, rows.tag);

@@ -6,6 +6,7 @@
 #include "cost/single_column.hpp"
 #include "cost/window_sum.hpp"
 #include "semi_global/config.hpp"
+#include "winner/candidate_mask.hpp"
 
 namespace stereo::semi_global {
 
@@ -50,6 +51,7 @@ struct CostSlice {
    using Shift = DisparityShift<kWindowConfig<C>, kCount>;
    using Column = ColumnBlock<kWindowConfig<C>, kCount>;
    using Window = typename CostWindow<kWindowConfig<C>, kCount, kWindows.window_px == 1>::Block;
+   using Mask = std::conditional_t<C.full_width, CandidateMask<kWindowConfig<C>, kCount, kFirst>, NoMask>;
    using Value = PathCost<C>;
    static constexpr int kSlices = 1 + Next::kSlices;
    static constexpr int kMemories = Column::kMemories + Window::kMemories + Next::kMemories;
@@ -59,6 +61,7 @@ struct CostSlice {
    Shift shift;
    Column cost;
    Window window;
+   [[no_unique_address]] Mask mask;
    Value held[kSlices][kCount];  ///< [age][i]
    PixelTag tag[kSlices];        ///< [age]
    Next next;
@@ -76,6 +79,7 @@ struct CostSlice {
       visit.block("shift", shift);
       visit.block("cost", cost);
       visit.block("window", window);
+      if constexpr (C.full_width) visit.block("mask", mask);
       visit("held", held);
       visit("tag", tag);
    }
@@ -95,9 +99,12 @@ struct CostSlice {
    /// Of the costs that put() shows.
    HLS_INLINE const PixelTag& shown_tag() const { return tag[kSlices - 1]; }
 
+   /// mask_before: of the slice before this one.
+   template <class MaskBefore = NoMask>
    HLS_INLINE void clock(const Feature<kWindowConfig<C>> (&search)[kTaps],
-                         const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag_in) {
-      next.clock(shift.search_out, shift.reference, shift.tag);
+                         const Feature<kWindowConfig<C>> (&reference)[kTaps], const PixelTag& tag_in,
+                         const MaskBefore& mask_before = MaskBefore()) {
+      next.clock(shift.search_out, shift.reference, shift.tag, mask);
       HLS_UNROLL
       for (int age = kSlices - 1; age > 0; --age) {
          HLS_UNROLL
@@ -105,9 +112,14 @@ struct CostSlice {
          tag[age] = tag[age - 1];
       }
       HLS_UNROLL
-      for (int i = 0; i < kCount; ++i) held[0][i] = scaled(window.sum[0][i]);
+      for (int i = 0; i < kCount; ++i) {
+         Value seen = scaled(window.sum[0][i]);
+         if constexpr (C.full_width) seen = select<Value>(mask.inside[i], seen, C.largest_cost());
+         held[0][i] = seen;
+      }
       tag[0] = window.tag;
       window.clock(cost);
+      if constexpr (C.full_width) mask.clock(window.tag, mask_before);
       cost.clock(shift);
       shift.clock(search, reference, tag_in);
    }

@@ -34,11 +34,14 @@ struct Matching {
    int uniqueness_distance = 0;    ///< least distance of the runner-up's sum, 0 ... 4095; 0: no check
    bool subpixel = false;          ///< disparities in sixteenths of a pixel
    bool median = false;            ///< median of 3x3 disparities
+   bool full_width = false;        ///< a disparity for every pixel whose window lies in the image
 
    constexpr bool has_left_right_check() const { return left_right_threshold >= 0; }
    constexpr bool has_uniqueness_check() const { return uniqueness_distance > 0; }
    /// Any of them: without one every pixel is valid.
-   constexpr bool has_check() const { return has_left_right_check() || has_uniqueness_check(); }
+   constexpr bool has_check() const {
+      return has_left_right_check() || has_uniqueness_check() || window_costs().has_lost_pixels();
+   }
 
    /// Columns by which the fresh start of a row path looks back: what the core's pipeline needs. It is part of the
    /// definition, since the sums depend on it.
@@ -62,7 +65,8 @@ struct Matching {
               .ties = ties,
               .left_right_threshold = left_right_threshold,
               .subpixel = subpixel,
-              .median = median};
+              .median = median,
+              .full_width = full_width};
    }
 
    template <class Self, class Visitor>
@@ -88,6 +92,7 @@ struct Matching {
       visit("uniqueness_distance", self.uniqueness_distance, 0, 4095, "the uniqueness distance");
       visit("subpixel", self.subpixel);
       visit("median", self.median);
+      visit("full_width", self.full_width);
    }
 
    /// Why nothing can be matched with these options; empty when it can.
@@ -95,6 +100,7 @@ struct Matching {
       if (const Sentence limit = first_beyond_limits(*this); !limit.empty()) return limit;
       if (const Sentence costs = window_costs().problem(); !costs.empty()) return costs;
       if (!path_left && !path_right && !path_above) return "at least one path must be on";
+      if (full_width && window_px < 3) return "a semi-global map of full width needs a window of 3x3 pixels or more";
       return {};
    }
 };

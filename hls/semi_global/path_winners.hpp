@@ -3,6 +3,7 @@
 
 #include "semi_global/config.hpp"
 #include "winner/candidate.hpp"
+#include "winner/candidate_mask.hpp"
 #include "winner/diagonal_minimum.hpp"
 #include "winner/gated_tree.hpp"
 
@@ -17,6 +18,9 @@ struct PathWinners {
    using Other = DiagonalMinimum<kSumConfig<C>, (C.has_left_right_check() ? C.disparities : 1)>;
    using Tree = WinnerBlock<WindowCandidate<kSumConfig<C>>, PixelTag, 1, C.winner_group, C.disparities, kLevels>;
 
+   using Mask = std::conditional_t<C.full_width, CandidateMask<kSumConfig<C>, C.disparities, 0>, NoMask>;
+
+   [[no_unique_address]] Mask mask;
    Other other;
    Tree winner;
    Candidates<WindowCandidate<kSumConfig<C>>, 1, 1> best;
@@ -24,6 +28,7 @@ struct PathWinners {
 
    template <class Visitor>
    HLS_INLINE void registers(Visitor& visit) {
+      if constexpr (C.full_width) visit.block("mask", mask);
       if constexpr (C.has_left_right_check()) visit.block("other", other);
       winner.levels(visit);
       visit("best", best);
@@ -35,8 +40,20 @@ struct PathWinners {
       if constexpr (C.uniqueness_distance > 0) best.set_losers(0, 0, winner.root().best.losers(0, 0));
       best.set(0, 0, winner.root().best.get(0, 0));
       best_tag = winner.root().tag;
-      winner.clock(sums.sum, sums.tag);
-      if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>());
+      if constexpr (C.full_width) {
+         WindowCost<kSumConfig<C>> shown[1][C.disparities];
+         mask.hide(sums.sum, shown);
+         winner.clock(shown, sums.tag);
+         if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>(), mask);
+      } else {
+         winner.clock(sums.sum, sums.tag);
+         if constexpr (C.has_left_right_check()) other.clock(sums.sum, sums.tag, 0, NoDiagonal<kSumConfig<C>>());
+      }
+   }
+
+   /// With full_width, when the sums have been clocked: what is a candidate in their new column.
+   HLS_INLINE void follow(const PixelTag& sums_tag) {
+      if constexpr (C.full_width) mask.clock(sums_tag, NoMask());
    }
 };
 

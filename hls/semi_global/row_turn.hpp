@@ -17,8 +17,11 @@ template <const Config& C>
 struct RowTurn {
    static constexpr int kCount = C.disparities;
    static constexpr int kWidth = C.output_width_px();
-   static constexpr int kMoves = 1;
    using Forward = ForwardPaths<C>;
+   /// Moves that a column of the row before waits for. With full_width only window_px - 1 columns stand between two
+   /// rows: a row's last column, the first to come out, has not been written when the next row comes in.
+   static constexpr int kWaits = C.full_width ? Forward::kMoves : 0;
+   static constexpr int kMoves = 1 + kWaits;
    static constexpr bool kHasSums = C.path_left || C.path_above;
    using Sums = Packed<bits_for(C.largest_forward_sum()), kCount>;
    using Costs = Packed<C.cost_bits(), kCount>;
@@ -29,6 +32,7 @@ struct RowTurn {
    /// The forward paths' sum is the register that is written: its place and its validity come as many moves later.
    static constexpr int kWriteMoves = Forward::kMoves;
    static_assert(kWriteMoves + 2 <= C.turn_columns(), "the last column must be there before it is read");
+   static_assert(!C.full_width || C.window_px > 2, "and its word two clocks before the next row's first is written");
 
    SumMemory sum_memory;
    CostMemory cost_memory;
@@ -50,6 +54,9 @@ struct RowTurn {
    typename Costs::Word write_costs[Costs::kWords];
    PathCost<C> write_smallest[1];
    uint16_t write_place;
+   // with full_width
+   uint16_t read_place;                          ///< of the column that has waited
+   bool first_waits[C.full_width ? kWaits : 1];  ///< [j]: the column of j+1 moves ago is the first of its row
 
    template <class Source, int First>
    HLS_INLINE RowTurn(Source& memories, MemoryId<First> first)
@@ -75,6 +82,10 @@ struct RowTurn {
       visit("write_costs", write_costs);
       visit("write_smallest", write_smallest);
       visit("write_place", write_place);
+      if constexpr (C.full_width) {
+         visit("read_place", read_place);
+         visit("first_waits", first_waits);
+      }
    }
 
    HLS_INLINE void clock(const PathEntry<C>& entry, const Forward& forward) {
@@ -83,9 +94,12 @@ struct RowTurn {
       typename Sums::Word sums[Sums::kWords];
       typename Costs::Word costs[Costs::kWords];
       PathCost<C> smallest[1];
-      if constexpr (kHasSums) sum_memory.read(entry.order.address, sums);
-      cost_memory.read(entry.order.address, costs);
-      smallest_memory.read(entry.order.address, smallest);
+      if constexpr (C.full_width) {
+         read_all(read_place, sums, costs, smallest);
+         find_read_place(entry);
+      } else {
+         read_all(entry.order.address, sums, costs, smallest);
+      }
       if constexpr (kHasSums) sum_memory.write(write_place, write_sums);
       cost_memory.write(write_place, write_costs);
       smallest_memory.write(write_place, write_smallest);
@@ -105,7 +119,14 @@ struct RowTurn {
       }
       ready_smallest[0] = select<PathCost<C>>(move, read_smallest[0], ready_smallest[0]);
       read_smallest[0] = smallest[0];
-      ready_first = select<bool>(move, entry.turned.first_column, ready_first);
+      if constexpr (C.full_width) {
+         ready_first = select<bool>(move, first_waits[kWaits - 1], ready_first);
+         HLS_UNROLL
+         for (int j = kWaits - 1; j > 0; --j) first_waits[j] = select<bool>(move, first_waits[j - 1], first_waits[j]);
+         first_waits[0] = select<bool>(move, entry.turned.first_column, first_waits[0]);
+      } else {
+         ready_first = select<bool>(move, entry.turned.first_column, ready_first);
+      }
 
       writes.clock(entry.next_tag.valid && select<bool>(move, comes[kWriteMoves - 2], comes[kWriteMoves - 1]));
       HLS_UNROLL
@@ -118,6 +139,23 @@ struct RowTurn {
    }
 
   private:
+   HLS_INLINE void read_all(uint16_t address, typename Sums::Word (&sums)[Sums::kWords],
+                            typename Costs::Word (&costs)[Costs::kWords], PathCost<C> (&smallest)[1]) {
+      if constexpr (kHasSums) sum_memory.read(address, sums);
+      cost_memory.read(address, costs);
+      smallest_memory.read(address, smallest);
+   }
+
+   /// What place[kWaits - 1] shows two clocks from now on: words are read in the clock before the move that takes them,
+   /// at the address of a register. So each is read before that move's clock ends, when its successor is written.
+   HLS_INLINE void find_read_place(const PathEntry<C>& entry) {
+      const bool now = entry.tag.valid, next = entry.next_tag.valid;
+      const uint16_t if_one = place[kWaits - 2];
+      const uint16_t if_next = select<uint16_t>(now, place[kWaits - 3], if_one);
+      const uint16_t if_not = select<uint16_t>(now, if_one, place[kWaits - 1]);
+      read_place = select<uint16_t>(next, if_next, if_not);
+   }
+
    HLS_INLINE void keep(const Forward& forward) {
       if constexpr (kHasSums) {
          typename Sums::Lane lanes[kCount];

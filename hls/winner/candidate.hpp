@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "support/full_width.hpp"
 #include "support/matching_options.hpp"
 #include "support/registers.hpp"
 
@@ -12,6 +13,7 @@ struct CandidateKind {
    Ties ties = Ties::smallest;
    bool has_neighbours = false;  ///< the costs beside the winner
    bool has_second = false;      ///< the smallest cost that is not the winner's or beside it
+   bool has_masked = false;      ///< there are costs of no candidate: a number above the largest cost
 };
 
 /// The kind that the checks of a configuration need.
@@ -19,7 +21,8 @@ template <const auto& C>
 inline constexpr CandidateKind kCandidateKind{.largest_cost = C.largest_window_cost(),
                                               .ties = C.ties,
                                               .has_neighbours = C.subpixel,
-                                              .has_second = C.has_uniqueness_check()};
+                                              .has_second = C.has_uniqueness_check(),
+                                              .has_masked = kFullWidth<C>};
 
 template <CandidateKind Kind>
 struct Losers;
@@ -28,7 +31,7 @@ struct Losers;
 /// and cost nothing.
 template <CandidateKind Kind>
 struct Candidate {
-   using Value = uint_of_bits<bits_for(Kind.largest_cost)>;
+   using Value = uint_of_bits<bits_for(Kind.largest_cost + (Kind.has_masked ? 1 : 0))>;
    using Others = Losers<Kind>;
    static constexpr bool kHasNeighbours = Kind.has_neighbours;
    static constexpr bool kHasSecond = Kind.has_second;

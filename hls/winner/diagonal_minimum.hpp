@@ -5,6 +5,7 @@
 #include "frontend/pixel_tag.hpp"
 #include "support/matching_options.hpp"
 #include "support/registers.hpp"
+#include "winner/candidate_mask.hpp"
 
 namespace stereo {
 
@@ -36,9 +37,11 @@ struct DiagonalMinimum {
       visit("winner_out", winner_out);
    }
 
-   /// first: the lowest disparity here; before: the block before this one, or NoDiagonal.
-   template <class Before>
-   HLS_INLINE void clock(const Value (&sum)[kPixels][Count], const PixelTag& tag, int first, const Before& before) {
+   /// first: the lowest disparity here; before: the block before this one, or NoDiagonal; mask: with full_width, of the
+   /// sums.
+   template <class Before, class Mask = NoMask>
+   HLS_INLINE void clock(const Value (&sum)[kPixels][Count], const PixelTag& tag, int first, const Before& before,
+                         const Mask& mask = Mask()) {
       HLS_UNROLL
       for (int p = 0; p < kPixels; ++p) {
          const Value entering_cost = before.cost_out[p];
@@ -52,7 +55,8 @@ struct DiagonalMinimum {
             const Value old_cost = i == kNewest ? entering_cost : cost[p][from];
             const uint8_t old_winner = i == kNewest ? entering_winner : winner[p][from];
             const bool has_rival = !tag.first_column && !(i == kNewest && Before::kIsNone);
-            const bool wins = tag.output_column && (!has_rival || beats(sum[p][i], old_cost));
+            bool wins = tag.output_column && (!has_rival || beats(sum[p][i], old_cost));
+            if constexpr (kFullWidth<C>) wins = wins & mask.inside[i];
             cost[p][i] = select<Value>(tag.valid, select<Value>(wins, sum[p][i], old_cost), cost[p][i]);
             winner[p][i] =
                 select<uint8_t>(tag.valid, select<uint8_t>(wins, uint8_t(first + i), old_winner), winner[p][i]);

@@ -74,6 +74,7 @@ struct Refinement {
          for (int p = 0; p < kPixels; ++p) {
             winners.disparity[p] = last.best.index[p][0];
             winners.passed[p] = has_texture(texture, p);
+            if constexpr (kHasLost) winners.passed[p] = winners.passed[p] & has_candidate(last, p);
          }
          winners.tag = last.best_tag;
       } else {
@@ -108,12 +109,24 @@ struct Refinement {
          for (int p = 0; p < kPixels; ++p) {
             disparity[0][p] = last.best.index[p][0];
             passed[0][p] = has_texture(texture, p);
+            if constexpr (kHasLost) passed[0][p] = passed[0][p] & has_candidate(last, p);
          }
          tag[0] = last.best_tag;
       }
    }
 
   private:
+   /// With full_width: some pixels have no candidate, and every one of them costs kMaskedCost.
+   static constexpr bool kHasLost = [] {
+      if constexpr (kFullWidth<C>) return C.has_lost_pixels();
+      else return false;
+   }();
+
+   template <class Slice>
+   static HLS_INLINE bool has_candidate(const Slice& last, int p) {
+      return last.best.cost[p][0] != kMaskedCost<C>;
+   }
+
    template <class TextureBlock>
    static HLS_INLINE bool has_texture(const TextureBlock& texture, int p) {
       if constexpr (C.has_texture_check()) return texture.passed(p);
@@ -152,7 +165,7 @@ struct Refinement {
       return !C.has_uniqueness_check() || alone[1][p] || scaled_gap[p] > scaled_cost[p];
    }
 
-   /// Beyond an end of the range stands the cost on the other side.
+   /// Beyond an end of the range, and where no candidate is, stands the cost on the other side.
    template <class Slice>
    HLS_INLINE void find_distances(const Slice& last) {
       HLS_UNROLL
@@ -168,7 +181,11 @@ struct Refinement {
          difference[p] = int32_t(above[p]) - int32_t(below[p]);
 
          const WindowCandidate<C> best = last.best.get(p, 0);
-         const bool at_start = best.index == 0, at_end = best.index == C.disparities - 1;
+         bool at_start = best.index == 0, at_end = best.index == C.disparities - 1;
+         if constexpr (kFullWidth<C>) {
+            at_start = at_start | (best.below == kMaskedCost<C>);
+            at_end = (at_end | (best.above == kMaskedCost<C>)) & !at_start;  // with none of them, both are the same
+         }
          below[p] = select<Value>(at_start, best.above, best.below);
          above[p] = select<Value>(at_end, best.below, best.above);
          cost[p] = best.cost;

@@ -82,6 +82,24 @@ CostVolume window_sums(const CostVolume& costs, int window_px) {
    return sums;
 }
 
+void keep_candidates(CostVolume& sums, int min_disparity) {
+   for (int y = 0; y < sums.height; ++y)
+      for (int x = 0; x < sums.width; ++x)
+         for (int d = 0; d < sums.disparities; ++d) {
+            const int other = x + min_disparity + d;
+            if (other < 0 || other >= sums.width) sums.at(x, y, d) = kNoCandidate;
+         }
+}
+
+CostVolume full_width_sums(const CostVolume& sums, int window_px, int min_disparity) {
+   CostVolume searched(sums.width - window_px + 1, sums.height, sums.disparities);
+   for (int y = 0; y < searched.height; ++y)
+      for (int x = 0; x < searched.width; ++x)
+         for (int d = 0; d < searched.disparities; ++d) searched.at(x, y, d) = sums.at(window_px / 2 + x, y, d);
+   keep_candidates(searched, min_disparity);
+   return searched;
+}
+
 DisparityMap winners(const CostVolume& sums, Ties ties) {
    DisparityMap map(sums.width, sums.height);
    for (int y = 0; y < sums.height; ++y)
@@ -90,21 +108,23 @@ DisparityMap winners(const CostVolume& sums, Ties ties) {
          int d = ties == Ties::smallest ? 0 : sums.disparities - 1;
          while (sums.at(x, y, d) != smallest) d += ties == Ties::smallest ? 1 : -1;
          map.at(x, y) = uint16_t(d);
+         map.valid_at(x, y) = smallest == kNoCandidate ? 0 : 1;
       }
    return map;
 }
 
 DisparityMap other_winners(const CostVolume& sums, Ties ties) {
+   // With full_width some pixels of the other image have no candidate; no winner leads to them.
    DisparityMap map(sums.width + sums.disparities - 1, sums.height);
    for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {
          int best = -1;
          for (int d = 0; d < sums.disparities; ++d) {
-            if (x - d < 0 || x - d >= sums.width) continue;
+            if (x - d < 0 || x - d >= sums.width || sums.at(x - d, y, d) == kNoCandidate) continue;
             const int sum = sums.at(x - d, y, d), smallest = best < 0 ? sum : sums.at(x - best, y, best);
             if (best < 0 || sum < smallest || (sum == smallest && ties == Ties::largest)) best = d;
          }
-         map.at(x, y) = uint16_t(best);
+         map.at(x, y) = uint16_t(std::max(best, 0));
       }
    return map;
 }
@@ -126,7 +146,8 @@ GrayImage uniqueness_check(const CostVolume& sums, const DisparityMap& winners, 
          const int winner = winners.at(x, y);
          const int64_t smallest = sums.at(x, y, winner), limit = smallest + percent * smallest / 100;
          for (int d = 0; d < sums.disparities; ++d)
-            if (std::abs(d - winner) > 1 && sums.at(x, y, d) <= limit) passes.at(x, y) = 0;
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate && sums.at(x, y, d) <= limit)
+               passes.at(x, y) = 0;
       }
    return passes;
 }
@@ -143,7 +164,8 @@ DisparityMap subpixel_disparities(const CostVolume& sums, const DisparityMap& wi
       for (int x = 0; x < map.width; ++x) {
          const int d = winners.at(x, y);
          int64_t offset = 0;  // in 256ths of a pixel; at an end of the range both neighbours are the same
-         if (d > 0 && d < last) {
+         const auto is_searched = [&](int e) { return e >= 0 && e <= last && sums.at(x, y, e) != kNoCandidate; };
+         if (is_searched(d - 1) && is_searched(d) && is_searched(d + 1)) {
             const int64_t u = int64_t(sums.at(x, y, d - 1)) - sums.at(x, y, d);
             const int64_t v = int64_t(sums.at(x, y, d + 1)) - sums.at(x, y, d);
             if (std::max(u, v) != 0) offset = (u - v) * 128 / std::max(u, v);

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "definition/disparity_map.hpp"
@@ -14,6 +15,9 @@
 #include "support/matching_options.hpp"
 
 namespace stereo {
+
+/// With full_width: the sum of what is no candidate.
+inline constexpr int kNoCandidate = std::numeric_limits<int>::max();
 
 /// A value for every (x, y, d).
 struct CostVolume {
@@ -62,7 +66,13 @@ CostVolume all_window_sums(const CostVolume& costs, int window_px);
 /// The same for the columns of the map of block matching: one column less than c.
 CostVolume window_sums(const CostVolume& costs, int window_px);
 
-/// 4. d*, in pixels, all valid.
+/// 8. With full_width: what leads to none of the columns is no candidate.
+void keep_candidates(CostVolume& sums, int min_disparity);
+/// The columns of `sums` whose windows lie in the image. `sums` has all columns of the image, and
+/// disparity d leads min_disparity + d columns to the right. With candidates only.
+CostVolume full_width_sums(const CostVolume& sums, int window_px, int min_disparity);
+
+/// 4. d*, in pixels, all valid but those without a candidate.
 DisparityMap winners(const CostVolume& sums, Ties ties = Ties::smallest);
 
 /// 5. D'(X), in pixels: column i is X = first_cost_column() + min_disparity + i of the other image. S's width + D-1

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,17 +55,37 @@ TEST(BlockMatchingConfig, RowsOfTheWindowsFollowFromTheirSide) {
 
 TEST(BlockMatchingConfig, TheSizeOfTheMapIsThatOfTheModels) {
    for (const Reference reference : {Reference::right, Reference::left})
-      for (int min_disparity = -40; min_disparity <= 20; ++min_disparity) {
-         const block_matching::Config config{
-             {.width_px = 50, .height_px = 20},
-             {.disparities = 10, .min_disparity = min_disparity, .reference = reference},
-             {}};
-         const block_matching::Matching& parameters = config;
-         SCOPED_TRACE(config_name(config));
-         EXPECT_EQ(config.cost_columns(), cost_columns(50, parameters));
-         EXPECT_EQ(config.output_width_px(), map_width(50, parameters));
-         EXPECT_EQ(config.output_first_column(), map_first_column(parameters));
-      }
+      for (int min_disparity = -40; min_disparity <= 20; ++min_disparity)
+         for (const bool full_width : {false, true}) {
+            const block_matching::Config config{{.width_px = 50, .height_px = 20},
+                                                {.disparities = 10,
+                                                 .window_px = 4,
+                                                 .min_disparity = min_disparity,
+                                                 .reference = reference,
+                                                 .full_width = full_width},
+                                                {}};
+            const block_matching::Matching& parameters = config;
+            SCOPED_TRACE(config_name(config));
+            EXPECT_EQ(config.cost_columns(), cost_columns(50, parameters));
+            EXPECT_EQ(config.output_width_px(), map_width(50, parameters));
+            EXPECT_EQ(config.output_first_column(), map_first_column(parameters));
+         }
+}
+
+TEST(BlockMatchingConfig, SaysWhereAMapOfFullWidthIsNone) {
+   block_matching::Config config{{.width_px = 20, .height_px = 30}, {.disparities = 10, .full_width = true}, {}};
+   EXPECT_EQ(config.problem().text, std::string());
+   config.window_px = 20;
+   EXPECT_EQ(config.problem().text, std::string("with a map of full width the image must be wider than the window"));
+   config.window_px = 1;
+   EXPECT_EQ(config.problem().text, std::string("a map of full width needs a window of 2x2 pixels or more"));
+   EXPECT_FALSE(config.has_check()) << "disparity 0 is a candidate of every pixel";
+   config.min_disparity = 1;
+   EXPECT_TRUE(config.has_check());
+   config.min_disparity = -10;
+   EXPECT_TRUE(config.has_check());
+   config.min_disparity = -9;
+   EXPECT_FALSE(config.has_check());
 }
 
 /// Plain core: the last window needs the rows below it, then the columns of its row that come after it.

@@ -33,6 +33,17 @@ TEST(SemiGlobalConfig, SaysWhatCannotBeBuilt) {
                 c.aggregation = Aggregation::recursive;
              }),
              "a single pixel has no recursive sum");
+   EXPECT_EQ(problem([](Config& c) {
+                c.full_width = true;
+                c.window_px = 2;
+             }),
+             "a semi-global map of full width needs a window of 3x3 pixels or more");
+   EXPECT_EQ(problem([](Config& c) {
+                c.full_width = true;
+                c.disparities = 8;
+                c.width_px = 13;
+             }),
+             "with a map of full width the image must be 14 columns wide or more");
    EXPECT_EQ(problem([](Config& c) { c.p1 = -1; }), "the penalty P1 is -1 but must be 0 ... 4095");
    EXPECT_EQ(problem([](Config& c) { c.sign_memory = true; }), "a sign memory is for block matching");
    EXPECT_EQ(problem([](Config& c) { c.winner_group = 1; }),

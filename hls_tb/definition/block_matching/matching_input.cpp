@@ -28,16 +28,31 @@ int largest_pixel_cost(const Matching& matching) {
    return matching.cost == Cost::ssd ? largest_difference * largest_difference : largest_difference;
 }
 
-int first_cost_column(const Matching& matching) { return std::max(0, -matching.min_disparity); }
-
-int cost_columns(int width_px, const Matching& matching) {
-   const int last = std::min(width_px - 1, width_px - matching.disparities - matching.min_disparity);
-   return last - first_cost_column(matching) + 1;
+int first_cost_column(const Matching& matching) {
+   return matching.full_width ? 0 : std::max(0, -matching.min_disparity);
 }
 
-int map_width(int width_px, const Matching& matching) { return cost_columns(width_px, matching) - 1; }
+int whole_columns(int width_px, const Matching& matching) {
+   const int last = std::min(width_px - 1, width_px - matching.disparities - matching.min_disparity);
+   return last - std::max(0, -matching.min_disparity) + 1;
+}
+
+int cost_columns(int width_px, const Matching& matching) {
+   return matching.full_width ? width_px : whole_columns(width_px, matching);
+}
+
+int map_width(int width_px, const Matching& matching) {
+   return cost_columns(width_px, matching) - (matching.full_width ? matching.window_px - 1 : 1);
+}
+
+SearchedRange searched_range(int x, int width, const Matching& matching) {
+   if (!matching.full_width) return {0, matching.disparities - 1};
+   const int first = x + matching.min_disparity;  // where disparity 0 leads to
+   return {std::max(0, -first), std::min(matching.disparities - 1, width - 1 - first)};
+}
 
 int map_first_column(const Matching& matching) {
+   if (matching.full_width) return matching.reference == Reference::right ? rows_above(matching) : rows_below(matching);
    return matching.reference == Reference::right ? first_cost_column(matching)
                                                  : std::max(1, matching.disparities + matching.min_disparity);
 }
@@ -60,9 +75,11 @@ void check_matching_input(const GrayImage& left, const GrayImage& right, const M
    require(left.width > matching.disparities,
            "the images are " + size_text(left) + " but must be wider than the disparity range " + disparities);
    const bool near = std::abs(int64_t(matching.min_disparity)) <= kFarthest;
-   require(near && cost_columns(left.width, matching) >= 2,
+   require(near && whole_columns(left.width, matching) >= 2,
            "the disparity range " + disparities + " from the smallest disparity " +
                std::to_string(matching.min_disparity) + " on lies outside the images of " + size_text(left));
+   require(!matching.full_width || left.width > matching.window_px,
+           "the images are " + size_text(left) + " but must be wider than the window for a map of full width");
    const int64_t window_pixels = int64_t(std::min(matching.window_px, cost_columns(left.width, matching))) *
                                  std::min(matching.window_px, left.height);
    require(window_pixels * largest_pixel_cost(matching) <= std::numeric_limits<int>::max(),

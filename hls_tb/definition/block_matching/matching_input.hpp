@@ -23,10 +23,18 @@ constexpr int rows_below(const Matching& matching) { return (matching.window_px 
 int largest_pixel_cost(const Matching& matching);
 /// The first cost column, for the right image as reference; with a left reference, of the mirrored pair.
 int first_cost_column(const Matching& matching);
+/// How many columns there are at which the whole range of disparities fits; below 1 when there are none.
+int whole_columns(int width_px, const Matching& matching);
 /// How many cost columns images of this width have; below 1 when there are none.
 int cost_columns(int width_px, const Matching& matching);
-/// Width of the disparity map: that of the cost columns but for one.
+/// Width of the disparity map: that of the cost columns but for one, or with full_width of the windows in the image.
 int map_width(int width_px, const Matching& matching);
+/// The disparities first ... last that are searched in a column of a map of this width; none where last < first. For
+/// the right image as reference.
+struct SearchedRange {
+   int first, last;
+};
+SearchedRange searched_range(int x, int width, const Matching& matching);
 /// Column of the reference image at which the map's column 0 stands.
 int map_first_column(const Matching& matching);
 MapGeometry map_geometry(const Matching& matching, int image_width);

@@ -24,6 +24,7 @@ CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matc
       for (int x = 0; x < costs.width; ++x)
          for (int d = 0; d < costs.disparities; ++d) {
             const int right_x = first + x, left_x = right_x + matching.min_disparity + d;
+            if (left_x < 0 || left_x >= left.width) continue;  // with full_width; of no candidate
             const int difference = std::abs(int(r.at(right_x, y)) - int(l.at(left_x, y)));
             costs.at(x, y, d) = is_census ? std::popcount(right_bits.at(right_x, y) ^ left_bits.at(left_x, y))
                                 : matching.cost == Cost::ssd ? difference * difference
@@ -34,12 +35,14 @@ CostVolume pixel_costs(const GrayImage& left, const GrayImage& right, const Matc
 
 GrayImage texture_check(const GrayImage& filtered, const Matching& matching) {
    const int columns = cost_columns(filtered.width, matching), first = first_cost_column(matching);
-   GrayImage passes(columns - 1, filtered.height);
+   const int first_centre = matching.full_width ? rows_above(matching) : 0;
+   GrayImage passes(map_width(filtered.width, matching), filtered.height);
    for (int y = 0; y < passes.height; ++y)
       for (int x = 0; x < passes.width; ++x) {
          int64_t texture = 0;
+         const int centre = first_centre + x;
          for (int row = y - rows_above(matching); row <= y + rows_below(matching); ++row)
-            for (int column = x - rows_above(matching); column <= x + rows_below(matching); ++column) {
+            for (int column = centre - rows_above(matching); column <= centre + rows_below(matching); ++column) {
                if (row < 0 || row >= filtered.height || column < 0 || column >= columns) continue;
                texture += std::abs(filtered.at(first + column, row) - matching.prefilter_cap);
             }
@@ -55,7 +58,10 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
       of_mirror.reference = Reference::right;
       return mirrored(match_reference(mirrored(right), mirrored(left), of_mirror));
    }
-   const CostVolume sums = window_sums(pixel_costs(left, right, matching), matching.window_px);
+   const CostVolume costs = pixel_costs(left, right, matching);
+   const CostVolume sums = matching.full_width ? full_width_sums(all_window_sums(costs, matching.window_px),
+                                                                 matching.window_px, matching.min_disparity)
+                                               : window_sums(costs, matching.window_px);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);

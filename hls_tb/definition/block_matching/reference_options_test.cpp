@@ -232,5 +232,44 @@ TEST(ReferenceOptions, FindsAKnownShiftWithEveryCostAndReference) {
          }
 }
 
+TEST(ReferenceOptions, FullWidthByHand) {
+   // Windows of 2x2: of column x, the columns x-1 and x of the only row. Columns 1 ... 3 of the map.
+   const GrayImage left = image(4, 1, {10, 20, 30, 40}), right = image(4, 1, {20, 30, 30, 99});
+   const Matching matching{.disparities = 2, .window_px = 2, .full_width = true};
+   const CostVolume sums = full_width_sums(all_window_sums(pixel_costs(left, right, matching), 2), 2, 0);
+   EXPECT_TRUE(same_volume(volume(3, 1, 2, {20, 0, 10, 10, 59, kNoCandidate}), sums));
+   EXPECT_TRUE(same_map(map(3, 1, {1, 0, 0}), match_reference(left, right, matching)));
+   Matching later = matching;
+   later.min_disparity = 1;  // the last column has no candidate
+   DisparityMap expected = map(3, 1, {0, 0, 0});
+   expected.valid_at(2, 0) = 0;
+   EXPECT_TRUE(same_map(expected, match_reference(left, right, later)));
+   later.ties = Ties::largest;
+   expected.at(2, 0) = 1;
+   EXPECT_TRUE(same_map(expected, match_reference(left, right, later)));
+   EXPECT_TRUE(later.has_check());
+   EXPECT_FALSE(matching.has_check());
+}
+
+TEST(ReferenceOptions, FullWidthIsTheSameWhereAllDisparitiesFit) {
+   Random random(test_seed());
+   for (int i = 0; i < 40; ++i) {
+      Matching matching{.disparities = 2 + random.below(6), .window_px = 2 + random.below(4)};
+      matching.min_disparity = random.below(9) - 4;
+      matching.reference = random.percent(50) ? Reference::left : Reference::right;
+      matching.subpixel = random.percent(50);
+      const ImagePair pair = random_pair(24, 7, random.bits(), 2 + random.below(20));
+      const DisparityMap inner = match_reference(pair.left, pair.right, matching);
+      const int inner_first = map_first_column(matching);
+      matching.full_width = true;
+      const DisparityMap full = match_reference(pair.left, pair.right, matching);
+      const int first = map_first_column(matching);
+      ASSERT_EQ(full.width, 24 - matching.window_px + 1);
+      for (int y = 0; y < full.height; ++y)
+         for (int x = matching.window_px; x < inner.width - matching.window_px; ++x)
+            ASSERT_EQ(full.at(inner_first + x - first, y), inner.at(x, y)) << "x=" << x << " y=" << y;
+   }
+}
+
 }  // namespace
 }  // namespace stereo::block_matching

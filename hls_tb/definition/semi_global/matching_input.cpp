@@ -28,13 +28,16 @@ int largest_path_cost(const Matching& matching) {
 }
 
 int map_width(int width_px, const Matching& matching) {
-   return block_matching::cost_columns(width_px, matching.window_costs());
+   const block_matching::Matching costs = matching.window_costs();
+   return matching.full_width ? block_matching::map_width(width_px, costs)
+                              : block_matching::cost_columns(width_px, costs);
 }
 
 MapGeometry map_geometry(const Matching& matching, int image_width) {
    MapGeometry geometry = block_matching::map_geometry(matching.window_costs(), image_width);
    geometry.width = map_width(image_width, matching);
-   if (matching.reference == Reference::left) --geometry.first_column;  // the one that block matching leaves out
+   // the one that block matching leaves out
+   if (matching.reference == Reference::left && !matching.full_width) --geometry.first_column;
    geometry.has_check = matching.has_check();
    return geometry;
 }

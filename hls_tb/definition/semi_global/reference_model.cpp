@@ -76,7 +76,10 @@ std::vector<int> column_of(const CostVolume& volume, int x, int y) {
 CostVolume path_costs(const GrayImage& left, const GrayImage& right, const Matching& matching) {
    const CostVolume pixels = block_matching::pixel_costs(left, right, matching.window_costs());
    CostVolume costs = all_window_sums(pixels, matching.window_px);
-   for (int& value : costs.values) value = std::min(value >> matching.cost_shift, matching.cost_cap);
+   if (matching.full_width) costs = full_width_sums(costs, matching.window_px, matching.min_disparity);
+   for (int& value : costs.values)
+      value = value == kNoCandidate ? largest_path_cost(matching)
+                                    : std::min(value >> matching.cost_shift, matching.cost_cap);
    return costs;
 }
 
@@ -130,7 +133,8 @@ GrayImage distance_check(const CostVolume& sums, const DisparityMap& winners, in
       for (int x = 0; x < passes.width; ++x) {
          const int winner = winners.at(x, y), smallest = sums.at(x, y, winner);
          for (int d = 0; d < sums.disparities; ++d)
-            if (std::abs(d - winner) > 1 && sums.at(x, y, d) - smallest < distance) passes.at(x, y) = 0;
+            if (std::abs(d - winner) > 1 && sums.at(x, y, d) != kNoCandidate && sums.at(x, y, d) - smallest < distance)
+               passes.at(x, y) = 0;
       }
    return passes;
 }
@@ -139,7 +143,8 @@ DisparityMap match_reference(const GrayImage& left, const GrayImage& right, cons
    check_matching_input(left, right, matching);
    if (matching.reference == Reference::left)
       return mirrored(match_reference(mirrored(right), mirrored(left), mirrored(matching)));
-   const CostVolume sums = path_sums(path_costs(left, right, matching), matching);
+   CostVolume sums = path_sums(path_costs(left, right, matching), matching);
+   if (matching.full_width) keep_candidates(sums, matching.min_disparity);
    const DisparityMap best = winners(sums, matching.ties);
    DisparityMap map = matching.subpixel ? subpixel_disparities(sums, best) : best;
    if (matching.median) map = median_filtered(map);

@@ -34,6 +34,7 @@ _CENSUS_9X3 = (
     "window_px=9",
     "median=true",
 )
+_CENSUS_9X5 = ("census_height_px=5", "window_px=8")
 _PHASE = ("reference=left",)
 OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("SAD 3x3, the paper's", "ambrosch2007", ()),
@@ -49,8 +50,11 @@ OURS: list[tuple[str, str, tuple[str, ...]]] = [
     ("census 9x3, window 9x9, median, left/right check 1", "ambrosch2007", (*_CENSUS_9X3, "left_right_threshold=1")),
     ("census 9x3, window 9x9, median, uniqueness 5 %", "ambrosch2007", (*_CENSUS_9X3, "uniqueness_percent=5")),
     ("census 9x3, window 8x8, median", "ambrosch2007", (*_CENSUS_9X3, "window_px=8")),
-    ("census 9x5, window 8x8, median", "ambrosch2007", (*_CENSUS_9X3, "census_height_px=5", "window_px=8")),
+    ("census 9x5, window 8x8, median", "ambrosch2007", (*_CENSUS_9X3, *_CENSUS_9X5)),
+    ("census 9x3, window 9x9, median, full width", "ambrosch2007", (*_CENSUS_9X3, "full_width=true")),
+    ("census 9x5, window 8x8, median, full width", "ambrosch2007", (*_CENSUS_9X3, *_CENSUS_9X5, "full_width=true")),
     ("semi-global, `sgm_450`", "sgm_450", ()),
+    ("semi-global, `sgm_450`, full width", "sgm_450", ("full_width=true",)),
     ("semi-global, `sgm_450`, subpixel", "sgm_450", ("subpixel=true",)),
     ("semi-global, `sgm_450`, left/right check 1", "sgm_450", ("left_right_threshold=1",)),
     ("semi-global, `sgm_450`, path from above only", "sgm_450", ("path_left=false", "path_right=false")),

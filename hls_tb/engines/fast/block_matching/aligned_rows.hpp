@@ -9,7 +9,8 @@
 
 namespace stereo::block_matching {
 
-/// Columns first ... first+count-1 of an image and room for whole vectors behind them; 0 where the image has none.
+/// Columns first ... first+count-1 of an image and room for whole vectors behind them; 0 where the image has none. The
+/// first one may lie outside the image.
 template <class Pixel>
 class AlignedRows {
   public:
@@ -17,8 +18,9 @@ class AlignedRows {
        : height_(int(pixels.size()) / width), stride_(count + room), black_(std::size_t(stride_)) {
       pixels_.resize(std::size_t(stride_) * std::size_t(height_));
       for (int y = 0; y < height_; ++y)
-         std::copy_n(pixels.begin() + std::ptrdiff_t(y) * width + first, std::min(count, width - first),
-                     pixels_.begin() + std::ptrdiff_t(y) * stride_);
+         std::copy_n(pixels.begin() + std::ptrdiff_t(y) * width + std::max(first, 0),
+                     std::min(count, width - first) - std::max(-first, 0),
+                     pixels_.begin() + std::ptrdiff_t(y) * stride_ + std::max(-first, 0));
    }
 
    int height() const { return height_; }

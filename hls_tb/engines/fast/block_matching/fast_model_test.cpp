@@ -75,6 +75,7 @@ block_matching::Matching random_parameters(Random& random, int width) {
       p.texture_threshold = random.below(p.prefilter_cap * p.window_px * p.window_px / 2 + 2);
    if (random.percent(50)) p.left_right_threshold = random.below(std::min(p.disparities, 4));
    if (random.percent(50)) p.uniqueness_percent = random.below(random.percent(50) ? 10 : 101);
+   p.full_width = random.percent(40) && p.window_px >= 2 && p.window_px < width;
    return p;
 }
 

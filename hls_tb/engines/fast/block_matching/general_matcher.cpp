@@ -68,6 +68,7 @@ struct Matcher {
          after(std::min(rows_below(options), aligned.columns - 1)),
          columns(std::size_t(aligned.columns) * std::size_t(padded)),
          sums(std::size_t(padded)),
+         searched(options.full_width ? std::size_t(padded) : 0),
          winners(std::size_t(result.width)),
          other(aligned.columns + padded),
          map(result) {}
@@ -84,23 +85,44 @@ struct Matcher {
       other.restart();
       std::fill(sums.begin(), sums.end(), Sum(0));
       for (int x = 0; x < after; ++x) add_column(sums.data(), column(x), lanes);
-      for (int x = 0; x < map.width; ++x) {
-         if (x + after < pair.columns) add_column(sums.data(), column(x + after), lanes);
-         if (x - before > 0) remove_column(sums.data(), column(x - before - 1), lanes);
+      const int first_centre = matching.full_width ? rows_above(matching) : 0;  // of the map's first column
+      for (int centre = 0; centre < first_centre + map.width; ++centre) {
+         if (centre + after < pair.columns) add_column(sums.data(), column(centre + after), lanes);
+         if (centre - before > 0) remove_column(sums.data(), column(centre - before - 1), lanes);
          std::fill(sums.begin() + matching.disparities, sums.end(), std::numeric_limits<Sum>::max());
-         if (matching.has_left_right_check()) fast::offer(other, x, sums.data(), lanes, matching.ties);
-         match_pixel(x, y);
+         const int x = centre - first_centre;
+         if (x < 0) continue;
+         if (matching.full_width) match_part(x, y);
+         else match_pixel(x, y, sums);
       }
       if (matching.has_left_right_check()) check_left_right(y);
    }
 
-   STEREO_INTO_CLONES void match_pixel(int x, int y) {
-      const PixelResult<Sum> pixel = fast::find_winner(sums.data(), lanes, matching.ties);
+   /// With full_width: only those candidates are searched that lead to a window in the other image.
+   STEREO_INTO_CLONES void match_part(int x, int y) {
+      const SearchedRange of_x = searched_range(x, map.width, matching);
+      std::fill(searched.begin(), searched.end(), std::numeric_limits<Sum>::max());
+      if (of_x.last < of_x.first) {
+         const int d = matching.ties == Ties::smallest ? 0 : matching.disparities - 1;
+         winners[std::size_t(x)] = d;
+         map.at(x, y) = uint16_t(matching.subpixel ? 16 * d : d);
+         map.valid_at(x, y) = 0;
+         return;
+      }
+      std::copy(sums.begin() + of_x.first, sums.begin() + of_x.last + 1, searched.begin() + of_x.first);
+      match_pixel(x, y, searched);
+      const int winner = winners[std::size_t(x)];
+      if (matching.subpixel && (winner == of_x.first || winner == of_x.last)) map.at(x, y) = uint16_t(16 * winner);
+   }
+
+   STEREO_INTO_CLONES void match_pixel(int x, int y, const std::vector<Sum>& of_pixel) {
+      if (matching.has_left_right_check()) fast::offer(other, x, of_pixel.data(), lanes, matching.ties);
+      const PixelResult<Sum> pixel = fast::find_winner(of_pixel.data(), lanes, matching.ties);
       winners[std::size_t(x)] = pixel.winner;
       const int disparities = matching.disparities;
-      map.at(x, y) = matching.subpixel ? fast::refined(sums.data(), disparities, pixel) : uint16_t(pixel.winner);
+      map.at(x, y) = matching.subpixel ? fast::refined(of_pixel.data(), disparities, pixel) : uint16_t(pixel.winner);
       if (matching.has_uniqueness_check() &&
-          !fast::is_unique(sums.data(), disparities, lanes, pixel, close_sum(pixel.smallest)))
+          !fast::is_unique(of_pixel.data(), disparities, lanes, pixel, close_sum(pixel.smallest)))
          map.valid_at(x, y) = 0;
    }
 
@@ -118,10 +140,11 @@ struct Matcher {
 
    const AlignedPair<Pixel>& pair;
    const Matching& matching;
-   int lanes, before, after;  ///< columns of the window before and after its centre's
-   std::vector<Sum> columns;  ///< [x][d]: sums over the window's rows
-   std::vector<Sum> sums;     ///< [d]: sums over the window
-   std::vector<int> winners;  ///< [x]: of this row
+   int lanes, before, after;   ///< columns of the window before and after its centre's
+   std::vector<Sum> columns;   ///< [x][d]: sums over the window's rows
+   std::vector<Sum> sums;      ///< [d]: sums over the window
+   std::vector<Sum> searched;  ///< [d]: those of candidates, with full_width
+   std::vector<int> winners;   ///< [x]: of this row
    OtherWinners<Sum> other;
    DisparityMap& map;
 };

@@ -14,6 +14,7 @@ void check_texture(const GrayImage& filtered, const Matching& matching, Disparit
    const int above = std::min(rows_above(matching), filtered.height - 1);
    const int below = std::min(rows_below(matching), filtered.height - 1);
    const int before = std::min(rows_above(matching), count - 1), after = std::min(rows_below(matching), count - 1);
+   const int first_centre = matching.full_width ? rows_above(matching) : 0;  // of the map's first column
    const auto check_rows = [&](int first_row, int end_row) {
       std::vector<int> columns(static_cast<std::size_t>(count));
       const int oldest = std::max(first_row - above, 0);  // the first row that a window of this band sees
@@ -28,10 +29,10 @@ void check_texture(const GrayImage& filtered, const Matching& matching, Disparit
          if (y < first_row) continue;
          int texture = 0;
          for (int x = 0; x < after; ++x) texture += columns[std::size_t(x)];
-         for (int x = 0; x < map.width; ++x) {
+         for (int x = 0; x < first_centre + map.width; ++x) {
             if (x + after < count) texture += columns[std::size_t(x + after)];
             if (x - before > 0) texture -= columns[std::size_t(x - before - 1)];
-            if (texture < matching.texture_threshold) map.valid_at(x, y) = 0;
+            if (x >= first_centre && texture < matching.texture_threshold) map.valid_at(x - first_centre, y) = 0;
          }
       }
    };

@@ -33,7 +33,7 @@ std::string text_of(const Matching& matching) {
 
 /// Any options that the models take, for images of this size.
 Matching random_options(Random& random, int width) {
-   Matching m{.disparities = 2 + random.below(random.percent(20) ? width - 2 : std::min(width - 2, 24))};
+   Matching m{.disparities = 2 + random.below(std::min(width - 2, random.percent(20) ? 255 : 24))};
    m.window_px = random.percent(60) ? 1 + random.below(4) : 1 + random.below(30);
    if (random.percent(40)) m.min_disparity = random.below(2 * width) - width;
    while (map_width(width, m) < 2) m.min_disparity /= 2;
@@ -56,6 +56,7 @@ Matching random_options(Random& random, int width) {
    if (random.percent(50)) m.uniqueness_distance = random.below(random.percent(80) ? 12 : 4096);
    m.subpixel = random.percent(50);
    m.median = random.percent(50);
+   m.full_width = random.percent(40) && m.window_px >= 3 && m.window_px < width;
    return m;
 }
 

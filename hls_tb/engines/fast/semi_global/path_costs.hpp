@@ -9,6 +9,8 @@
 #include <limits>
 #include <vector>
 
+#include "definition/block_matching/matching_input.hpp"
+#include "definition/semi_global/matching_input.hpp"
 #include "engines/fast/semi_global/pixel_rows.hpp"
 #include "engines/fast/vector_clones.hpp"
 
@@ -113,6 +115,7 @@ class WindowCosts {
       ++row_;
       std::fill(window_.begin(), window_.end(), Sum(0));
       for (int x = 0; x < after_; ++x) add(column(x));
+      if (matching_.full_width) return next_full_row(costs, smallest);
       for (int x = 0; x < pixels_.columns; ++x) {
          if (x + after_ < pixels_.columns) add(column(x + after_));
          if (x - before_ > 0) remove(column(x - before_ - 1));
@@ -121,6 +124,24 @@ class WindowCosts {
    }
 
   private:
+   /// The map has the windows that lie in the image; what is no candidate has the largest cost.
+   template <class Lane>
+   STEREO_INTO_CLONES void next_full_row(Lane* costs, Lane* smallest) {
+      const int width = pixels_.columns - matching_.window_px + 1;
+      const Lane largest = Lane(largest_path_cost(matching_));
+      for (int x = -before_; x < width; ++x) {
+         add(column(x + before_ + after_));
+         if (x > 0) remove(column(x - 1));
+         if (x < 0) continue;
+         Lane* const to = costs + std::ptrdiff_t(x) * lanes_;
+         scaled(to);
+         const auto [first, last] = block_matching::searched_range(x, width, matching_.window_costs());
+         for (int d = 0; d < matching_.disparities; ++d)
+            if (d < first || d > last) to[d] = largest;
+         smallest[x] = *std::min_element(to, to + matching_.disparities);
+      }
+   }
+
    STEREO_INTO_CLONES PixelCost* row(int y) { return rows_.data() + row_size_ * std::size_t(y % kept_); }
    STEREO_INTO_CLONES const Sum* column(int x) const { return columns_.data() + std::ptrdiff_t(x) * lanes_; }
 

@@ -114,10 +114,31 @@ class Matcher {
          if (matching_.path_above) shared_.from_above.add(x, costs(row, x), beyond, from, to);
          else
             for (int d = 0; d < lanes; ++d) to[d] = Lane(from[d] | beyond[d]);
+         if (matching_.full_width) {
+            row.winners[std::size_t(x)] = match_part(row, x, y);
+            continue;
+         }
          if (matching_.has_left_right_check()) fast::offer(row.other, x, to, lanes, matching_.ties);
          row.winners[std::size_t(x)] = match_pixel(x, y);
       }
       if (matching_.path_above) shared_.from_above.next_row(first, end);
+   }
+
+   /// With full_width: the winner of those candidates that lead to a window in the other image.
+   STEREO_INTO_CLONES int match_part(Row& row, int x, int y) {
+      const auto [first, last] = block_matching::searched_range(x, map_.width, matching_.window_costs());
+      if (last < first) {
+         const int d = matching_.ties == Ties::smallest ? 0 : matching_.disparities - 1;
+         map_.at(x, y) = uint16_t(matching_.subpixel ? 16 * d : d);
+         map_.valid_at(x, y) = 0;
+         return d;
+      }
+      for (int d = 0; d < matching_.disparities; ++d)
+         if (d < first || d > last) total_[std::size_t(d)] = std::numeric_limits<Lane>::max();
+      if (matching_.has_left_right_check()) fast::offer(row.other, x, total_.data(), lanes_, matching_.ties);
+      const int winner = match_pixel(x, y);
+      if (matching_.subpixel && (winner == first || winner == last)) map_.at(x, y) = uint16_t(16 * winner);
+      return winner;
    }
 
    /// Gives the winner.

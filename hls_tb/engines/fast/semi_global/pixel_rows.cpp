@@ -10,13 +10,14 @@
 namespace stereo::semi_global {
 namespace {
 
-/// Columns first ... first+count-1 of all rows.
+/// Columns first ... first+count-1 of all rows, those of the image; it may end before them, or begin behind the first.
 void copy_columns(const std::vector<uint8_t>& pixels, int width, int first, int count, std::vector<uint8_t>& to,
                   int stride) {
    const std::ptrdiff_t rows = std::ptrdiff_t(pixels.size()) / width;
    to.resize(std::size_t(rows * stride));
    for (std::ptrdiff_t y = 0; y < rows; ++y)
-      std::copy_n(pixels.begin() + y * width + first, count, to.begin() + y * stride);
+      std::copy_n(pixels.begin() + y * width + std::max(first, 0), std::min(count, width - first) - std::max(-first, 0),
+                  to.begin() + y * stride + std::max(-first, 0));
 }
 
 }  // namespace

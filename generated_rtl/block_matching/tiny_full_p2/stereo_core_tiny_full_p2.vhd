@@ -1,0 +1,1938 @@
+-- SPDX-License-Identifier: Apache-2.0
+-- Stereo core, block matching, configuration tiny_full_p2: 32x12, 8 disparities, window 4x4, 2 pixel pairs a clock.
+-- Options: disparities 8, window_px 4, min_disparity 2, reference left, left_right_threshold 1, full_width
+--   true, slice_disparities 3.
+-- Made from hls/top/stereo_top.cpp by PandA Bambu 2024.10 revision 683d87153 and scripts/synthesize.py. Do not edit:
+--   scripts/synthesize.py --config tiny_full_p2
+-- Names are those of the C++ core: BLOCK_MEMBER_INDEX, blocks in data-flow order.
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity stereo_core_tiny_full_p2 is
+  generic (
+    -- What this core is. A user may state it: another value stops elaboration.
+    width_px : positive := 32;
+    height_px : positive := 12;
+    disparities : positive := 8;
+    pixels_per_clock : positive := 2;
+    disparity_bits : positive := 8;
+    output_width_px : positive := 29;
+    latency_clocks : positive := 20;
+    flush_groups : positive := 39;
+    gap_groups : natural := 0
+  );
+  port (
+    clock : in std_logic;
+    reset : in std_logic;  -- synchronous, active high
+    left_pixel : in std_logic_vector(15 downto 0);  -- 8 bits a row, the upper row in the lowest
+    right_pixel : in std_logic_vector(15 downto 0);
+    start_of_frame : in std_logic;  -- with column 0 of the first rows
+    valid : in std_logic;  -- 0: bubble
+    disparity : out std_logic_vector(15 downto 0);
+    pixel_valid : out std_logic_vector(1 downto 0);  -- a bit a row: the disparity has passed every check
+    disparity_valid : out std_logic;
+    disparity_start_of_frame : out std_logic;
+    disparity_end_of_line : out std_logic
+  );
+begin
+  assert width_px = 32 report "stereo_core_tiny_full_p2: width_px is " & integer'image(width_px) & " but this core has 32" severity failure;
+  assert height_px = 12 report "stereo_core_tiny_full_p2: height_px is " & integer'image(height_px) & " but this core has 12" severity failure;
+  assert disparities = 8 report "stereo_core_tiny_full_p2: disparities is " & integer'image(disparities) & " but this core has 8" severity failure;
+  assert pixels_per_clock = 2 report "stereo_core_tiny_full_p2: pixels_per_clock is " & integer'image(pixels_per_clock) & " but this core has 2" severity failure;
+  assert disparity_bits = 8 report "stereo_core_tiny_full_p2: disparity_bits is " & integer'image(disparity_bits) & " but this core has 8" severity failure;
+  assert output_width_px = 29 report "stereo_core_tiny_full_p2: output_width_px is " & integer'image(output_width_px) & " but this core has 29" severity failure;
+  assert latency_clocks = 20 report "stereo_core_tiny_full_p2: latency_clocks is " & integer'image(latency_clocks) & " but this core has 20" severity failure;
+  assert flush_groups = 39 report "stereo_core_tiny_full_p2: flush_groups is " & integer'image(flush_groups) & " but this core has 39" severity failure;
+  assert gap_groups = 0 report "stereo_core_tiny_full_p2: gap_groups is " & integer'image(gap_groups) & " but this core has 0" severity failure;
+end entity;
+
+architecture rtl of stereo_core_tiny_full_p2 is
+  -- the complement of a negative number: its magnitude less 1
+  function folded(value : integer) return natural is
+  begin
+    if value < 0 then
+      return -1 - value;
+    end if;
+    return value;
+  end function;
+
+  function positive_part(value : integer) return natural is
+  begin
+    if value < 0 then
+      return 0;
+    end if;
+    return value;
+  end function;
+
+  function as_number(value : boolean) return natural is
+  begin
+    if value then
+      return 1;
+    end if;
+    return 0;
+  end function;
+
+  -- as a fold and a carry: a negation and a choice would take twice the logic
+  function magnitude(value : integer) return natural is
+  begin
+    return folded(value) + as_number(value < 0);
+  end function;
+
+  function as_bit(value : boolean) return std_logic is
+  begin
+    if value then
+      return '1';
+    end if;
+    return '0';
+  end function;
+
+  signal in_right_pixel : natural range 0 to 65535;
+  signal in_valid : boolean;
+  signal in_start_of_frame : boolean;
+  signal in_left_pixel : natural range 0 to 65535;
+  -- raster
+  signal raster_features_search : natural range 0 to 65535;
+  signal raster_features_reference_0 : natural range 0 to 255;
+  signal raster_features_valid, raster_place_next_frame : boolean;
+  signal raster_place_column : natural range 0 to 31;
+  signal raster_place_group : natural range 0 to 7;
+  -- delay
+  signal delay_ring_read_address, delay_ring_write_address : natural range 0 to 3;
+  signal delay_ahead_0 : natural range 0 to 255;
+  signal delay_delayed_0 : unsigned(15 downto 0);
+  signal delay_column : natural range 0 to 31;
+  signal delay_row_inside_0, delay_row_inside_2, delay_row_inside_4, delay_tag_valid, delay_tag_map_column : boolean;
+  signal delay_tag_output_column, delay_tag_first_column, delay_tag_start_of_frame, delay_tag_end_of_line : boolean;
+  signal delay_search_inside_0, delay_search_inside_2, delay_search_inside_3, delay_search_inside_4 : boolean;
+  signal delay_inside_before_0, delay_inside_before_2, delay_inside_before_4 : boolean;
+  -- rows
+  signal rows_search_rows_read_words_0, rows_search_rows_ready_words_0 : unsigned(31 downto 0);
+  signal rows_search_rows_write_words_0, rows_reference_rows_read_words_0 : unsigned(31 downto 0);
+  signal rows_reference_rows_ready_words_0, rows_reference_rows_write_words_0 : unsigned(31 downto 0);
+  signal rows_search_rows_read_newest_0, rows_reference_rows_read_newest_0, rows_search_0 : natural range 0 to 255;
+  signal rows_search_1, rows_search_2, rows_search_3, rows_search_4, rows_reference_0 : natural range 0 to 255;
+  signal rows_reference_1, rows_reference_2, rows_reference_3, rows_reference_4 : natural range 0 to 255;
+  signal rows_search_rows_ready_newest, rows_reference_rows_ready_newest : natural range 0 to 65535;
+  signal rows_read_column, rows_ready_column, rows_write_column : natural range 0 to 31;
+  signal rows_read_inside_0, rows_read_inside_2, rows_read_inside_4, rows_read_tag_valid : boolean;
+  signal rows_read_tag_map_column, rows_read_tag_output_column, rows_read_tag_first_column : boolean;
+  signal rows_read_tag_start_of_frame, rows_read_tag_end_of_line, rows_read_search_inside_0 : boolean;
+  signal rows_read_search_inside_2, rows_read_search_inside_4, rows_ready_inside_0, rows_ready_inside_4 : boolean;
+  signal rows_ready_tag_valid, rows_ready_tag_map_column, rows_ready_tag_output_column : boolean;
+  signal rows_ready_tag_first_column, rows_ready_tag_start_of_frame, rows_ready_tag_end_of_line : boolean;
+  signal rows_ready_search_inside_0, rows_ready_search_inside_2, rows_ready_search_inside_4, rows_tag_valid : boolean;
+  signal rows_tag_map_column, rows_tag_output_column, rows_tag_first_column, rows_tag_start_of_frame : boolean;
+  signal rows_tag_end_of_line : boolean;
+  -- slice0shift
+  signal slice0shift_search_0_0, slice0shift_search_0_1, slice0shift_search_0_2 : natural range 0 to 255;
+  signal slice0shift_search_1_0, slice0shift_search_1_1, slice0shift_search_1_2 : natural range 0 to 255;
+  signal slice0shift_search_2_0, slice0shift_search_2_1, slice0shift_search_2_2 : natural range 0 to 255;
+  signal slice0shift_search_3_0, slice0shift_search_3_1, slice0shift_search_3_2 : natural range 0 to 255;
+  signal slice0shift_search_4_0, slice0shift_search_4_1, slice0shift_search_4_2 : natural range 0 to 255;
+  signal slice0shift_reference_0, slice0shift_reference_1, slice0shift_reference_2 : natural range 0 to 255;
+  signal slice0shift_reference_3, slice0shift_reference_4, slice0shift_search_out_0 : natural range 0 to 255;
+  signal slice0shift_search_out_1, slice0shift_search_out_2, slice0shift_search_out_3 : natural range 0 to 255;
+  signal slice0shift_search_out_4 : natural range 0 to 255;
+  signal slice0shift_tag_valid, slice0shift_tag_map_column, slice0shift_tag_output_column : boolean;
+  signal slice0shift_tag_first_column, slice0shift_tag_start_of_frame, slice0shift_tag_end_of_line : boolean;
+  -- slice0cost
+  signal slice0cost_difference_0_0, slice0cost_difference_0_1, slice0cost_difference_0_2 : integer range -255 to 255;
+  signal slice0cost_difference_1_0, slice0cost_difference_1_1, slice0cost_difference_1_2 : integer range -255 to 255;
+  signal slice0cost_difference_2_0, slice0cost_difference_2_1, slice0cost_difference_2_2 : integer range -255 to 255;
+  signal slice0cost_difference_3_0, slice0cost_difference_3_1, slice0cost_difference_3_2 : integer range -255 to 255;
+  signal slice0cost_difference_4_0, slice0cost_difference_4_1, slice0cost_difference_4_2 : integer range -255 to 255;
+  signal slice0cost_difference_tag_valid, slice0cost_difference_tag_map_column : boolean;
+  signal slice0cost_difference_tag_output_column, slice0cost_difference_tag_first_column : boolean;
+  signal slice0cost_difference_tag_start_of_frame, slice0cost_difference_tag_end_of_line : boolean;
+  signal slice0cost_negative_0_0, slice0cost_negative_0_1, slice0cost_negative_0_2, slice0cost_negative_1_0 : boolean;
+  signal slice0cost_negative_1_1, slice0cost_negative_1_2, slice0cost_single_negative_0_0 : boolean;
+  signal slice0cost_single_negative_0_1, slice0cost_single_negative_0_2, slice0cost_pair_tag_valid : boolean;
+  signal slice0cost_pair_tag_map_column, slice0cost_pair_tag_output_column, slice0cost_pair_tag_first_column : boolean;
+  signal slice0cost_pair_tag_start_of_frame, slice0cost_pair_tag_end_of_line, slice0cost_tag_valid : boolean;
+  signal slice0cost_tag_map_column, slice0cost_tag_output_column, slice0cost_tag_first_column : boolean;
+  signal slice0cost_tag_start_of_frame, slice0cost_tag_end_of_line : boolean;
+  signal slice0cost_pair_0_0, slice0cost_pair_0_1, slice0cost_pair_0_2, slice0cost_pair_1_0 : natural range 0 to 511;
+  signal slice0cost_pair_1_1, slice0cost_pair_1_2 : natural range 0 to 511;
+  signal slice0cost_single_0_0, slice0cost_single_0_1, slice0cost_single_0_2 : natural range 0 to 255;
+  signal slice0cost_single_3_0, slice0cost_single_3_1, slice0cost_single_3_2 : natural range 0 to 255;
+  signal slice0cost_column_0_0, slice0cost_column_0_1, slice0cost_column_0_2 : natural range 0 to 1023;
+  signal slice0cost_column_1_0, slice0cost_column_1_1, slice0cost_column_1_2 : natural range 0 to 1024;
+  -- slice0window
+  signal slice0window_partial_0_0_0, slice0window_partial_0_0_1, slice0window_partial_0_0_2 : natural range 0 to 1023;
+  signal slice0window_partial_0_1_0, slice0window_partial_0_1_1, slice0window_partial_0_1_2 : natural range 0 to 2046;
+  signal slice0window_partial_0_2_0, slice0window_partial_0_2_1, slice0window_partial_0_2_2 : natural range 0 to 3069;
+  signal slice0window_partial_1_0_0, slice0window_partial_1_0_1, slice0window_partial_1_0_2 : natural range 0 to 1024;
+  signal slice0window_partial_1_1_0, slice0window_partial_1_1_1, slice0window_partial_1_1_2 : natural range 0 to 2048;
+  signal slice0window_partial_1_2_0, slice0window_partial_1_2_1, slice0window_partial_1_2_2 : natural range 0 to 3072;
+  signal slice0window_centre_map_column_0, slice0window_centre_output_column_0 : boolean;
+  signal slice0window_centre_output_column_1, slice0window_centre_first_column_0 : boolean;
+  signal slice0window_centre_first_column_1, slice0window_centre_start_of_frame_0 : boolean;
+  signal slice0window_centre_start_of_frame_1, slice0window_centre_end_of_line_0, slice0window_tag_valid : boolean;
+  signal slice0window_tag_output_column, slice0window_tag_first_column, slice0window_tag_start_of_frame : boolean;
+  signal slice0window_sum_0_0, slice0window_sum_0_1, slice0window_sum_0_2 : natural range 0 to 4092;
+  signal slice0window_sum_1_0, slice0window_sum_1_1, slice0window_sum_1_2 : natural range 0 to 4096;
+  -- slice0mask
+  signal slice0mask_inside_0, slice0mask_inside_1, slice0mask_inside_2, slice0mask_left_out : boolean;
+  signal slice0mask_column : natural range 0 to 31;
+  -- slice0other
+  signal slice0other_cost_0_0, slice0other_cost_0_1, slice0other_cost_0_2 : natural range 0 to 4092;
+  signal slice0other_cost_out_0 : natural range 0 to 4092;
+  signal slice0other_cost_1_0, slice0other_cost_1_1, slice0other_cost_1_2 : natural range 0 to 4096;
+  signal slice0other_cost_out_1 : natural range 0 to 4096;
+  signal slice0other_winner_0_1, slice0other_winner_1_1 : boolean;
+  signal slice0other_winner_0_2, slice0other_winner_1_2, slice0other_winner_out_0 : natural range 0 to 2;
+  signal slice0other_winner_out_1 : natural range 0 to 2;
+  -- slice0winner1
+  signal slice0winner1_of_pair_0_0, slice0winner1_of_pair_0_1, slice0winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice0winner1_of_four_0_0, slice0winner1_of_four_0_1, slice0winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice0winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0winner1_of_pair_1_0, slice0winner1_of_pair_1_1, slice0winner1_of_pair_1_2 : natural range 0 to 8191;
+  signal slice0winner1_of_four_1_0, slice0winner1_of_four_1_1, slice0winner1_of_four_1_2 : natural range 0 to 8191;
+  signal slice0winner1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice0winner1_pair_index_0_0, slice0winner1_pair_index_1_0, slice0winner1_pair_tag_valid : boolean;
+  signal slice0winner1_pair_tag_map_column, slice0winner1_pair_tag_output_column : boolean;
+  signal slice0winner1_pair_tag_first_column, slice0winner1_pair_tag_start_of_frame : boolean;
+  signal slice0winner1_pair_tag_end_of_line, slice0winner1_four_tag_valid, slice0winner1_four_tag_map_column : boolean;
+  signal slice0winner1_four_tag_output_column, slice0winner1_four_tag_first_column : boolean;
+  signal slice0winner1_four_tag_start_of_frame, slice0winner1_four_tag_end_of_line, slice0winner1_tag_valid : boolean;
+  signal slice0winner1_tag_map_column, slice0winner1_tag_output_column, slice0winner1_tag_start_of_frame : boolean;
+  signal slice0winner1_tag_end_of_line : boolean;
+  signal slice0winner1_pair_index_0_1, slice0winner1_four_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_four_index_1_0, slice0winner1_best_index_0_0 : natural range 0 to 2;
+  signal slice0winner1_best_index_1_0 : natural range 0 to 2;
+  -- slice0
+  signal slice0_best_cost_0_0 : natural range 0 to 4095;
+  signal slice0_best_cost_1_0 : natural range 0 to 8191;
+  signal slice0_best_index_0_0, slice0_best_index_1_0 : natural range 0 to 2;
+  signal slice0_best_tag_valid, slice0_best_tag_map_column, slice0_best_tag_output_column : boolean;
+  signal slice0_best_tag_start_of_frame, slice0_best_tag_end_of_line : boolean;
+  -- slice1shift
+  signal slice1shift_search_0_0, slice1shift_search_0_1, slice1shift_search_0_2 : natural range 0 to 255;
+  signal slice1shift_search_1_0, slice1shift_search_1_1, slice1shift_search_1_2 : natural range 0 to 255;
+  signal slice1shift_search_2_0, slice1shift_search_2_1, slice1shift_search_2_2 : natural range 0 to 255;
+  signal slice1shift_search_3_0, slice1shift_search_3_1, slice1shift_search_3_2 : natural range 0 to 255;
+  signal slice1shift_search_4_0, slice1shift_search_4_1, slice1shift_search_4_2 : natural range 0 to 255;
+  signal slice1shift_reference_0, slice1shift_reference_1, slice1shift_reference_2 : natural range 0 to 255;
+  signal slice1shift_reference_3, slice1shift_reference_4, slice1shift_search_out_0 : natural range 0 to 255;
+  signal slice1shift_search_out_1, slice1shift_search_out_2, slice1shift_search_out_3 : natural range 0 to 255;
+  signal slice1shift_search_out_4 : natural range 0 to 255;
+  -- slice1cost
+  signal slice1cost_difference_0_0, slice1cost_difference_0_1, slice1cost_difference_0_2 : integer range -255 to 255;
+  signal slice1cost_difference_1_0, slice1cost_difference_1_1, slice1cost_difference_1_2 : integer range -255 to 255;
+  signal slice1cost_difference_2_0, slice1cost_difference_2_1, slice1cost_difference_2_2 : integer range -255 to 255;
+  signal slice1cost_difference_3_0, slice1cost_difference_3_1, slice1cost_difference_3_2 : integer range -255 to 255;
+  signal slice1cost_difference_4_0, slice1cost_difference_4_1, slice1cost_difference_4_2 : integer range -255 to 255;
+  signal slice1cost_pair_0_0, slice1cost_pair_0_1, slice1cost_pair_0_2, slice1cost_pair_1_0 : natural range 0 to 511;
+  signal slice1cost_pair_1_1, slice1cost_pair_1_2 : natural range 0 to 511;
+  signal slice1cost_negative_0_0, slice1cost_negative_0_1, slice1cost_negative_0_2, slice1cost_negative_1_0 : boolean;
+  signal slice1cost_negative_1_1, slice1cost_negative_1_2, slice1cost_single_negative_0_0 : boolean;
+  signal slice1cost_single_negative_0_1, slice1cost_single_negative_0_2, slice1cost_tag_output_column : boolean;
+  signal slice1cost_tag_first_column : boolean;
+  signal slice1cost_single_0_0, slice1cost_single_0_1, slice1cost_single_0_2 : natural range 0 to 255;
+  signal slice1cost_single_3_0, slice1cost_single_3_1, slice1cost_single_3_2 : natural range 0 to 255;
+  signal slice1cost_column_0_0, slice1cost_column_0_1, slice1cost_column_0_2 : natural range 0 to 1023;
+  signal slice1cost_column_1_0, slice1cost_column_1_1, slice1cost_column_1_2 : natural range 0 to 1024;
+  -- slice1window
+  signal slice1window_partial_0_0_0, slice1window_partial_0_0_1, slice1window_partial_0_0_2 : natural range 0 to 1023;
+  signal slice1window_partial_0_1_0, slice1window_partial_0_1_1, slice1window_partial_0_1_2 : natural range 0 to 2046;
+  signal slice1window_partial_0_2_0, slice1window_partial_0_2_1, slice1window_partial_0_2_2 : natural range 0 to 3069;
+  signal slice1window_partial_1_0_0, slice1window_partial_1_0_1, slice1window_partial_1_0_2 : natural range 0 to 1024;
+  signal slice1window_partial_1_1_0, slice1window_partial_1_1_1, slice1window_partial_1_1_2 : natural range 0 to 2048;
+  signal slice1window_partial_1_2_0, slice1window_partial_1_2_1, slice1window_partial_1_2_2 : natural range 0 to 3072;
+  signal slice1window_centre_map_column_0, slice1window_centre_output_column_0 : boolean;
+  signal slice1window_centre_output_column_1, slice1window_centre_first_column_0 : boolean;
+  signal slice1window_centre_first_column_1, slice1window_centre_end_of_line_0 : boolean;
+  signal slice1window_tag_output_column, slice1window_tag_first_column : boolean;
+  signal slice1window_sum_0_0, slice1window_sum_0_1, slice1window_sum_0_2 : natural range 0 to 4092;
+  signal slice1window_sum_1_0, slice1window_sum_1_1, slice1window_sum_1_2 : natural range 0 to 4096;
+  -- slice1mask
+  signal slice1mask_inside_0, slice1mask_inside_1, slice1mask_inside_2, slice1mask_left_out : boolean;
+  -- slice1other
+  signal slice1other_cost_0_0, slice1other_cost_0_1, slice1other_cost_0_2 : natural range 0 to 4092;
+  signal slice1other_cost_out_0 : natural range 0 to 4092;
+  signal slice1other_cost_1_0, slice1other_cost_1_1, slice1other_cost_1_2 : natural range 0 to 4096;
+  signal slice1other_cost_out_1 : natural range 0 to 4096;
+  signal slice1other_winner_0_0, slice1other_winner_1_0 : natural range 0 to 3;
+  signal slice1other_winner_0_1, slice1other_winner_1_1 : natural range 0 to 4;
+  signal slice1other_winner_0_2, slice1other_winner_1_2, slice1other_winner_out_0 : natural range 0 to 5;
+  signal slice1other_winner_out_1 : natural range 0 to 5;
+  -- slice1winner1
+  signal slice1winner1_of_pair_0_0, slice1winner1_of_pair_0_1, slice1winner1_of_pair_0_2 : natural range 0 to 4095;
+  signal slice1winner1_of_four_0_0, slice1winner1_of_four_0_1, slice1winner1_of_four_0_2 : natural range 0 to 4095;
+  signal slice1winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1winner1_of_pair_1_0, slice1winner1_of_pair_1_1, slice1winner1_of_pair_1_2 : natural range 0 to 8191;
+  signal slice1winner1_of_four_1_0, slice1winner1_of_four_1_1, slice1winner1_of_four_1_2 : natural range 0 to 8191;
+  signal slice1winner1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice1winner1_pair_index_0_0, slice1winner1_pair_index_1_0 : boolean;
+  signal slice1winner1_four_index_0_0, slice1winner1_four_index_1_0 : natural range 0 to 2;
+  signal slice1winner1_best_index_0_0, slice1winner1_best_index_1_0 : natural range 0 to 2;
+  -- slice1
+  signal slice1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 5;
+  signal slice1_best_tag_valid, slice1_best_tag_map_column, slice1_best_tag_output_column : boolean;
+  signal slice1_best_tag_start_of_frame, slice1_best_tag_end_of_line : boolean;
+  -- slice2shift
+  signal slice2shift_search_0_0, slice2shift_search_0_1, slice2shift_search_1_0 : natural range 0 to 255;
+  signal slice2shift_search_1_1, slice2shift_search_2_0, slice2shift_search_2_1 : natural range 0 to 255;
+  signal slice2shift_search_3_0, slice2shift_search_3_1, slice2shift_search_4_0 : natural range 0 to 255;
+  signal slice2shift_search_4_1, slice2shift_reference_0, slice2shift_reference_1 : natural range 0 to 255;
+  signal slice2shift_reference_2, slice2shift_reference_3, slice2shift_reference_4 : natural range 0 to 255;
+  -- slice2cost
+  signal slice2cost_difference_0_0, slice2cost_difference_0_1, slice2cost_difference_1_0 : integer range -255 to 255;
+  signal slice2cost_difference_1_1, slice2cost_difference_2_0, slice2cost_difference_2_1 : integer range -255 to 255;
+  signal slice2cost_difference_3_0, slice2cost_difference_3_1, slice2cost_difference_4_0 : integer range -255 to 255;
+  signal slice2cost_difference_4_1 : integer range -255 to 255;
+  signal slice2cost_pair_0_0, slice2cost_pair_0_1, slice2cost_pair_1_0, slice2cost_pair_1_1 : natural range 0 to 511;
+  signal slice2cost_negative_0_0, slice2cost_negative_0_1, slice2cost_negative_1_0, slice2cost_negative_1_1 : boolean;
+  signal slice2cost_single_negative_0_0, slice2cost_single_negative_0_1, slice2cost_tag_output_column : boolean;
+  signal slice2cost_tag_first_column : boolean;
+  signal slice2cost_single_0_0, slice2cost_single_0_1, slice2cost_single_3_0 : natural range 0 to 255;
+  signal slice2cost_single_3_1 : natural range 0 to 255;
+  signal slice2cost_column_0_0, slice2cost_column_0_1 : natural range 0 to 1023;
+  signal slice2cost_column_1_0, slice2cost_column_1_1 : natural range 0 to 1024;
+  -- slice2window
+  signal slice2window_partial_0_0_0, slice2window_partial_0_0_1 : natural range 0 to 1023;
+  signal slice2window_partial_0_1_0, slice2window_partial_0_1_1 : natural range 0 to 2046;
+  signal slice2window_partial_0_2_0, slice2window_partial_0_2_1 : natural range 0 to 3069;
+  signal slice2window_partial_1_0_0, slice2window_partial_1_0_1 : natural range 0 to 1024;
+  signal slice2window_partial_1_1_0, slice2window_partial_1_1_1 : natural range 0 to 2048;
+  signal slice2window_partial_1_2_0, slice2window_partial_1_2_1 : natural range 0 to 3072;
+  signal slice2window_centre_map_column_0, slice2window_centre_output_column_0 : boolean;
+  signal slice2window_centre_first_column_0, slice2window_centre_end_of_line_0 : boolean;
+  signal slice2window_sum_0_0, slice2window_sum_0_1 : natural range 0 to 4092;
+  signal slice2window_sum_1_0, slice2window_sum_1_1 : natural range 0 to 4096;
+  -- slice2mask
+  signal slice2mask_inside_0, slice2mask_inside_1 : boolean;
+  -- slice2other
+  signal slice2other_cost_0_0 : natural range 0 to 4092;
+  signal slice2other_cost_1_0 : natural range 0 to 4096;
+  signal slice2other_winner_0_0, slice2other_winner_1_0 : natural range 0 to 6;
+  signal slice2other_winner_0_1, slice2other_winner_1_1, slice2other_winner_out_0 : natural range 0 to 7;
+  signal slice2other_winner_out_1 : natural range 0 to 7;
+  -- slice2winner1
+  signal slice2winner1_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner1_best_cost_1_0 : natural range 0 to 8191;
+  signal slice2winner1_best_index_0_0, slice2winner1_best_index_1_0 : boolean;
+  -- slice2winner2
+  signal slice2winner2_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner2_best_cost_1_0 : natural range 0 to 8191;
+  signal slice2winner2_best_index_0_0, slice2winner2_best_index_1_0 : boolean;
+  -- slice2winner3
+  signal slice2winner3_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2winner3_best_cost_1_0 : natural range 0 to 8191;
+  signal slice2winner3_best_index_0_0, slice2winner3_best_index_1_0 : boolean;
+  -- slice2
+  signal slice2_best_cost_0_0 : natural range 0 to 4095;
+  signal slice2_best_cost_1_0 : natural range 0 to 8191;
+  signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
+  signal slice2_best_tag_valid, slice2_best_tag_map_column, slice2_best_tag_output_column : boolean;
+  signal slice2_best_tag_start_of_frame, slice2_best_tag_end_of_line : boolean;
+  -- leftright
+  signal leftright_other_1_0, leftright_other_1_1, leftright_other_2_0, leftright_other_2_1 : natural range 0 to 7;
+  signal leftright_ring_read_address, leftright_ring_write_address, leftright_asking_disparity_0 : natural range 0 to 7;
+  signal leftright_asking_disparity_1, leftright_answered_disparity_0 : natural range 0 to 7;
+  signal leftright_answered_disparity_1, leftright_checked_disparity_0 : natural range 0 to 7;
+  signal leftright_checked_disparity_1 : natural range 0 to 7;
+  signal leftright_holds_winners, leftright_held_valid, leftright_asking_passed_0, leftright_asking_passed_1 : boolean;
+  signal leftright_asking_tag_valid, leftright_asking_tag_output_column, leftright_asking_tag_start_of_frame : boolean;
+  signal leftright_asking_tag_end_of_line, leftright_answered_passed_0, leftright_answered_passed_1 : boolean;
+  signal leftright_answered_tag_valid, leftright_answered_tag_output_column : boolean;
+  signal leftright_answered_tag_start_of_frame, leftright_answered_tag_end_of_line : boolean;
+  signal leftright_checked_passed_0, leftright_checked_passed_1, leftright_checked_tag_valid : boolean;
+  signal leftright_checked_tag_output_column, leftright_checked_tag_start_of_frame : boolean;
+  signal leftright_checked_tag_end_of_line : boolean;
+  signal leftright_position, leftright_held_position, leftright_address_0, leftright_address_1 : natural range 0 to 15;
+  signal leftright_held_0 : unsigned(21 downto 0);
+  signal leftright_found_0, leftright_found_1 : unsigned(2 downto 0);
+  -- other
+  signal other_0, other_1, other_2, other_3 : natural range 0 to 65280;
+  signal other_4 : boolean;
+  signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
+  signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_data : unsigned(21 downto 0);
+
+begin
+  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_valid <= valid = '1';
+  in_start_of_frame <= start_of_frame = '1';
+  in_left_pixel <= to_integer(unsigned(left_pixel));
+  disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_1, 8) & to_unsigned(leftright_checked_disparity_0, 8));
+  pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_1), 1) & to_unsigned(as_number(leftright_checked_passed_0), 1));
+  disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
+  disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
+  disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
+
+  rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
+  rows_search_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_search_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+
+  rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
+  rows_reference_rows_read_words_0_memory : entity work.line_memory
+    generic map (depth => 32, width => 32)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+
+  delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search, 16);
+  delay_delayed_0_memory : entity work.line_memory
+    generic map (depth => 3, width => 16)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => delay_ring_read_address, read_data => delay_delayed_0,
+      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+
+  leftright_found_1_memory_write_data <= to_unsigned(leftright_other_2_1, 3);
+  leftright_found_1_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_1, read_data => leftright_found_1,
+      write_address => leftright_position, write_data => leftright_found_1_memory_write_data);
+
+  leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
+  leftright_found_0_memory : entity work.line_memory
+    generic map (depth => 16, width => 3)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_address_0, read_data => leftright_found_0,
+      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+
+  leftright_held_0_memory_write_data <= to_unsigned(as_number((slice2_best_cost_1_0 /= 4095)), 1) & to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(as_number((slice2_best_cost_0_0 /= 4095)), 1) & to_unsigned(slice2_best_index_0_0, 8) & to_unsigned(as_number(slice2_best_tag_end_of_line), 1) & to_unsigned(as_number(slice2_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2_best_tag_output_column), 1) & to_unsigned(as_number(slice2_best_tag_map_column), 1);
+  leftright_held_0_memory : entity work.line_memory
+    generic map (depth => 8, width => 22)
+    port map (
+      clock => clock, read_enable => true,
+      read_address => leftright_ring_read_address, read_data => leftright_held_0,
+      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+
+  process (clock)
+    variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
+    variable raster_place_group_choice_2, raster_place_next_frame_choice, raster_place_next_frame_choice_2 : boolean;
+    variable delay_row_inside_0_value, delay_row_inside_0_any, delay_row_inside_2_any : boolean;
+    variable delay_row_inside_2_choice, delay_tag_map_column_is_not_less, delay_tag_map_column_is_less : boolean;
+    variable delay_tag_first_column_is_equal, delay_search_inside_0_all, delay_search_inside_0_all_2 : boolean;
+    variable delay_search_inside_0_is_equal, delay_search_inside_0_differs, delay_search_inside_3_choice : boolean;
+    variable delay_search_inside_4_differs, delay_search_inside_4_choice, delay_inside_before_0_all : boolean;
+    variable delay_inside_before_2_choice, delay_inside_before_4_choice, slice0cost_pair_1_0_is_less : boolean;
+    variable slice0cost_pair_1_1_is_less, slice0cost_pair_1_2_is_less, slice0mask_inside_0_all : boolean;
+    variable slice0mask_inside_0_choice, slice0mask_inside_1_choice, slice0mask_inside_2_choice : boolean;
+    variable slice0other_cost_0_0_all, slice0other_cost_0_1_all, slice0other_cost_0_1_all_2 : boolean;
+    variable slice0other_cost_0_1_choice, slice0other_cost_1_1_choice, slice0other_cost_0_2_choice : boolean;
+    variable slice0other_cost_1_2_choice, slice0winner1_of_pair_0_0_is_less : boolean;
+    variable slice0winner1_of_pair_1_0_is_less, slice0winner1_of_four_0_0_is_less : boolean;
+    variable slice0winner1_of_four_1_0_is_less, slice1cost_pair_1_0_is_less, slice1cost_pair_1_1_is_less : boolean;
+    variable slice1cost_pair_1_2_is_less, slice1mask_inside_0_choice, slice1other_cost_0_0_choice : boolean;
+    variable slice1other_cost_0_1_all, slice1other_cost_0_1_choice, slice1other_cost_0_2_choice : boolean;
+    variable slice1other_cost_1_1_choice, slice1other_cost_1_2_choice, slice1other_cost_1_0_choice : boolean;
+    variable slice1winner1_of_pair_0_0_is_less, slice1winner1_of_pair_1_0_is_less : boolean;
+    variable slice1winner1_of_four_0_0_is_less, slice1winner1_of_four_1_0_is_less : boolean;
+    variable slice1_best_cost_0_0_is_less, slice1_best_cost_1_0_is_less, slice2cost_pair_1_0_is_less : boolean;
+    variable slice2cost_pair_1_1_is_less, slice2mask_inside_0_choice, slice2other_cost_0_0_choice : boolean;
+    variable slice2other_winner_0_1_choice, slice2other_winner_1_1_choice, slice2other_cost_1_0_choice : boolean;
+    variable slice2winner1_best_cost_0_0_is_less, slice2winner1_best_cost_1_0_is_less : boolean;
+    variable slice2_best_cost_0_0_is_less, slice2_best_cost_1_0_is_less, leftright_holds_winners_all : boolean;
+    variable raster_place_group_choice, slice1other_winner_0_0_choice : natural range 0 to 3;
+    variable slice1other_winner_0_0_choice_2, slice1other_winner_0_0_choice_3 : natural range 0 to 3;
+    variable raster_place_group_choice_3, raster_place_group_choice_4 : natural range 0 to 7;
+    variable slice2other_winner_0_1_choice_2, slice2other_winner_0_1_choice_3 : natural range 0 to 7;
+    variable slice2other_winner_0_1_choice_4, slice2other_winner_1_1_choice_2 : natural range 0 to 7;
+    variable slice2other_winner_1_1_choice_3, slice2other_winner_1_1_choice_4 : natural range 0 to 7;
+    variable leftright_address_0_value, leftright_address_1_value : natural range 0 to 7;
+    variable slice0cost_pair_1_0_folded_value, slice0cost_pair_1_1_folded_value : natural range 0 to 255;
+    variable slice0cost_pair_1_2_folded_value, slice1cost_pair_1_0_folded_value : natural range 0 to 255;
+    variable slice1cost_pair_1_1_folded_value, slice1cost_pair_1_2_folded_value : natural range 0 to 255;
+    variable slice2cost_pair_1_0_folded_value, slice2cost_pair_1_1_folded_value : natural range 0 to 255;
+    variable slice0other_cost_0_2_choice_2, slice0other_cost_0_2_choice_3 : natural range 0 to 4092;
+    variable slice0other_cost_0_2_choice_4, slice1other_cost_0_0_choice_2 : natural range 0 to 4092;
+    variable slice1other_cost_0_0_choice_3, slice1other_cost_0_0_choice_4 : natural range 0 to 4092;
+    variable slice1other_cost_0_1_choice_2, slice1other_cost_0_1_choice_3 : natural range 0 to 4092;
+    variable slice1other_cost_0_1_choice_4, slice1other_cost_0_2_choice_2 : natural range 0 to 4092;
+    variable slice1other_cost_0_2_choice_3, slice1other_cost_0_2_choice_4 : natural range 0 to 4092;
+    variable slice2other_cost_0_0_choice_2, slice2other_cost_0_0_choice_3 : natural range 0 to 4092;
+    variable slice2other_cost_0_0_choice_4 : natural range 0 to 4092;
+    variable slice0other_cost_1_2_choice_2, slice0other_cost_1_2_choice_3 : natural range 0 to 4096;
+    variable slice0other_cost_1_2_choice_4, slice1other_cost_1_1_choice_2 : natural range 0 to 4096;
+    variable slice1other_cost_1_1_choice_3, slice1other_cost_1_1_choice_4 : natural range 0 to 4096;
+    variable slice1other_cost_1_2_choice_2, slice1other_cost_1_2_choice_3 : natural range 0 to 4096;
+    variable slice1other_cost_1_2_choice_4 : natural range 0 to 4096;
+    variable slice0other_winner_0_2_choice, slice0other_winner_0_2_choice_2 : natural range 0 to 2;
+    variable slice0other_winner_0_2_choice_3, slice0other_winner_1_2_choice : natural range 0 to 2;
+    variable slice0other_winner_1_2_choice_2, slice0other_winner_1_2_choice_3 : natural range 0 to 2;
+    variable slice0winner1_of_pair_0_0_choice, slice0winner1_of_pair_0_0_any : natural range 0 to 4095;
+    variable slice0winner1_of_pair_0_0_choice_2, slice0winner1_of_pair_0_0_any_2 : natural range 0 to 4095;
+    variable slice0winner1_of_pair_0_2_choice, slice1winner1_of_pair_0_0_choice : natural range 0 to 4095;
+    variable slice1winner1_of_pair_0_0_any, slice1winner1_of_pair_0_0_choice_2 : natural range 0 to 4095;
+    variable slice1winner1_of_pair_0_0_any_2, slice1winner1_of_pair_0_2_choice : natural range 0 to 4095;
+    variable slice2winner1_best_cost_0_0_choice, slice2winner1_best_cost_0_0_any : natural range 0 to 4095;
+    variable slice2winner1_best_cost_0_0_choice_2, slice2winner1_best_cost_0_0_any_2 : natural range 0 to 4095;
+    variable slice0winner1_of_pair_1_0_any, slice0winner1_of_pair_1_0_any_2 : natural range 0 to 8191;
+    variable slice1winner1_of_pair_1_0_any, slice1winner1_of_pair_1_0_any_2 : natural range 0 to 8191;
+    variable slice2winner1_best_cost_1_0_any, slice2winner1_best_cost_1_0_any_2 : natural range 0 to 8191;
+    variable slice1other_winner_0_1_choice, slice1other_winner_0_1_choice_2 : natural range 0 to 4;
+    variable slice1other_winner_0_1_choice_3, slice1other_winner_1_1_choice : natural range 0 to 4;
+    variable slice1other_winner_1_1_choice_2, slice1other_winner_1_1_choice_3 : natural range 0 to 4;
+    variable slice1other_winner_0_2_choice, slice1other_winner_0_2_choice_2 : natural range 0 to 5;
+    variable slice1other_winner_0_2_choice_3, slice1other_winner_1_2_choice : natural range 0 to 5;
+    variable slice1other_winner_1_2_choice_2, slice1other_winner_1_2_choice_3 : natural range 0 to 5;
+    variable slice2other_winner_0_0_choice, slice2other_winner_0_0_choice_2 : natural range 0 to 6;
+    variable slice2other_winner_0_0_choice_3 : natural range 0 to 6;
+    variable leftright_checked_passed_0_difference, leftright_checked_passed_1_difference : integer range -6 to 8;
+  begin
+    if rising_edge(clock) then
+      -- raster
+      raster_place_group_is_equal := raster_place_column = 31;
+      raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
+      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
+      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
+        raster_place_group_is_equal_2 else in_valid;
+      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
+        (raster_place_group + 1) mod 8;
+      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
+        raster_place_group_choice_2 else raster_place_group;
+      raster_features_search <= in_right_pixel;
+      raster_features_reference_0 <= in_left_pixel mod 256;
+      raster_features_valid <= in_valid;
+      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
+        raster_place_group_choice_4;
+      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
+        raster_place_group_is_equal_2 else raster_place_next_frame;
+      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
+        raster_place_next_frame;
+      if in_valid then
+        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
+          mod 32;
+        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
+      end if;
+      -- delay
+      if raster_features_valid then
+        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
+        delay_ring_write_address <= delay_ring_read_address;
+      end if;
+      delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
+      delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
+      delay_row_inside_2_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
+      delay_row_inside_2_choice := delay_row_inside_2_any when (raster_place_group mod 2) = 1 else
+        delay_row_inside_0_any;
+      delay_tag_map_column_is_not_less := raster_place_column >= 1;
+      delay_tag_map_column_is_less := raster_place_column < 30;
+      delay_tag_first_column_is_equal := raster_place_column = 1;
+      delay_search_inside_0_all := (not other_4) and raster_features_valid and (raster_place_column = 0);
+      delay_search_inside_0_all_2 := (not delay_search_inside_0_all) and delay_inside_before_0;
+      delay_search_inside_0_is_equal := (raster_place_column / 2) = 0;
+      delay_search_inside_0_differs := (raster_place_column / 2) /= 0;
+      delay_search_inside_3_choice := delay_search_inside_0_differs when delay_search_inside_0_all else
+        delay_search_inside_0_differs or delay_inside_before_2;
+      delay_search_inside_4_differs := (raster_place_group / 2) /= 3;
+      delay_search_inside_4_choice := delay_inside_before_4 when delay_search_inside_0_is_equal else
+        delay_search_inside_4_differs;
+      delay_inside_before_0_all := raster_place_group_is_equal and raster_features_valid;
+      delay_inside_before_2_choice := delay_inside_before_0_all when delay_search_inside_0_all else
+        delay_inside_before_0_all or delay_inside_before_2;
+      delay_inside_before_4_choice := delay_search_inside_4_differs when delay_inside_before_0_all else
+        delay_inside_before_4;
+      delay_ahead_0 <= raster_features_reference_0;
+      delay_column <= raster_place_column;
+      delay_row_inside_0 <= delay_row_inside_0_any;
+      delay_row_inside_2 <= delay_row_inside_2_choice;
+      delay_row_inside_4 <= delay_row_inside_2_any;
+      delay_tag_valid <= raster_features_valid;
+      delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
+      delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
+        (raster_place_group >= 1) and (raster_place_group < 7);
+      delay_tag_first_column <= delay_tag_first_column_is_equal;
+      delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
+      delay_tag_end_of_line <= raster_place_column = 29;
+      delay_search_inside_0 <= delay_search_inside_0_is_equal or ((raster_place_group / 4) = 1) or
+        delay_row_inside_0_value when delay_search_inside_0_all_2 else delay_search_inside_0_differs and
+        delay_row_inside_0_any;
+      delay_search_inside_2 <= rows_read_inside_2;
+      delay_search_inside_3 <= delay_search_inside_3_choice when delay_row_inside_2_choice else (not
+        delay_search_inside_0_all) and delay_search_inside_0_is_equal and delay_inside_before_2;
+      delay_search_inside_4 <= delay_search_inside_0_differs and delay_search_inside_4_differs when
+        delay_search_inside_0_all else delay_search_inside_4_choice;
+      delay_inside_before_0 <= (not delay_inside_before_0_all) or ((raster_place_group / 4) = 1) or
+        delay_row_inside_0_value when delay_search_inside_0_all_2 else raster_place_group_is_equal and
+        raster_features_valid and delay_row_inside_0_any;
+      delay_inside_before_2 <= delay_inside_before_2_choice when delay_row_inside_2_choice else (not
+        delay_search_inside_0_all) and (not delay_inside_before_0_all) and delay_inside_before_2;
+      delay_inside_before_4 <= raster_place_group_is_equal and raster_features_valid and delay_search_inside_4_differs
+        when delay_search_inside_0_all else delay_inside_before_4_choice;
+      -- rows
+      rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
+      rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
+      rows_search_rows_ready_newest <= to_integer(((to_unsigned(rows_search_rows_read_newest_0, 16)) or
+        (to_unsigned(other_2, 16))));
+      rows_reference_rows_read_newest_0 <= delay_ahead_0;
+      rows_reference_rows_ready_words_0 <= rows_reference_rows_read_words_0;
+      rows_reference_rows_ready_newest <= ((other_0 / 256) * 256) + rows_reference_rows_read_newest_0;
+      rows_read_column <= delay_column;
+      rows_read_inside_0 <= delay_row_inside_0;
+      rows_read_inside_2 <= delay_row_inside_2;
+      rows_read_inside_4 <= delay_row_inside_4;
+      rows_read_tag_valid <= delay_tag_valid;
+      rows_read_tag_map_column <= delay_tag_map_column;
+      rows_read_tag_output_column <= delay_tag_output_column;
+      rows_read_tag_first_column <= delay_tag_first_column;
+      rows_read_tag_start_of_frame <= delay_tag_start_of_frame;
+      rows_read_tag_end_of_line <= delay_tag_end_of_line;
+      rows_read_search_inside_0 <= delay_search_inside_0;
+      rows_read_search_inside_2 <= delay_search_inside_3;
+      rows_read_search_inside_4 <= delay_search_inside_4;
+      rows_ready_column <= rows_read_column;
+      rows_ready_inside_0 <= rows_read_inside_0;
+      rows_ready_inside_4 <= rows_read_inside_4;
+      rows_ready_tag_valid <= rows_read_tag_valid;
+      rows_ready_tag_map_column <= rows_read_tag_map_column;
+      rows_ready_tag_output_column <= rows_read_tag_output_column;
+      rows_ready_tag_first_column <= rows_read_tag_first_column;
+      rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
+      rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
+      rows_ready_search_inside_0 <= rows_read_search_inside_0;
+      rows_ready_search_inside_2 <= rows_read_search_inside_2;
+      rows_ready_search_inside_4 <= rows_read_search_inside_4;
+      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_search_inside_0 else 0;
+      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_search_inside_0 else 0;
+      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_search_inside_2 else 0;
+      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_search_inside_2 else 0;
+      rows_search_4 <= rows_search_rows_ready_newest mod 256 when rows_ready_search_inside_4 else 0;
+      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
+      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
+      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when delay_search_inside_2 else 0;
+      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when delay_search_inside_2 else 0;
+      rows_reference_4 <= rows_reference_rows_ready_newest mod 256 when rows_ready_inside_4 else 0;
+      rows_tag_valid <= rows_ready_tag_valid;
+      rows_tag_map_column <= rows_ready_tag_map_column;
+      rows_tag_output_column <= rows_ready_tag_output_column;
+      rows_tag_first_column <= rows_ready_tag_first_column;
+      rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
+      rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_tag_valid then
+        rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest, 16) &
+          rows_search_rows_ready_words_0(31 downto 16);
+        rows_reference_rows_write_words_0 <= to_unsigned(rows_reference_rows_ready_newest, 16) &
+          rows_reference_rows_ready_words_0(31 downto 16);
+        rows_write_column <= rows_ready_column;
+      end if;
+      -- slice0shift
+      if rows_tag_valid then
+        slice0shift_search_0_0 <= rows_search_0;
+        slice0shift_search_0_1 <= slice0shift_search_0_0;
+        slice0shift_search_0_2 <= slice0shift_search_0_1;
+        slice0shift_search_1_0 <= rows_search_1;
+        slice0shift_search_1_1 <= slice0shift_search_1_0;
+        slice0shift_search_1_2 <= slice0shift_search_1_1;
+        slice0shift_search_2_0 <= rows_search_2;
+        slice0shift_search_2_1 <= slice0shift_search_2_0;
+        slice0shift_search_2_2 <= slice0shift_search_2_1;
+        slice0shift_search_3_0 <= rows_search_3;
+        slice0shift_search_3_1 <= slice0shift_search_3_0;
+        slice0shift_search_3_2 <= slice0shift_search_3_1;
+        slice0shift_search_4_0 <= rows_search_4;
+        slice0shift_search_4_1 <= slice0shift_search_4_0;
+        slice0shift_search_4_2 <= slice0shift_search_4_1;
+      end if;
+      slice0shift_reference_0 <= rows_reference_0;
+      slice0shift_reference_1 <= rows_reference_1;
+      slice0shift_reference_2 <= rows_reference_2;
+      slice0shift_reference_3 <= rows_reference_3;
+      slice0shift_reference_4 <= rows_reference_4;
+      slice0shift_search_out_0 <= slice0shift_search_0_2;
+      slice0shift_search_out_1 <= slice0shift_search_1_2;
+      slice0shift_search_out_2 <= slice0shift_search_2_2;
+      slice0shift_search_out_3 <= slice0shift_search_3_2;
+      slice0shift_search_out_4 <= slice0shift_search_4_2;
+      slice0shift_tag_valid <= rows_tag_valid;
+      slice0shift_tag_map_column <= rows_tag_map_column;
+      slice0shift_tag_output_column <= rows_tag_output_column;
+      slice0shift_tag_first_column <= rows_tag_first_column;
+      slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
+      slice0shift_tag_end_of_line <= rows_tag_end_of_line;
+      -- slice0cost
+      slice0cost_pair_1_0_folded_value := folded(slice0cost_difference_3_0);
+      slice0cost_pair_1_0_is_less := slice0cost_difference_3_0 < 0;
+      slice0cost_pair_1_1_folded_value := folded(slice0cost_difference_3_1);
+      slice0cost_pair_1_1_is_less := slice0cost_difference_3_1 < 0;
+      slice0cost_pair_1_2_folded_value := folded(slice0cost_difference_3_2);
+      slice0cost_pair_1_2_is_less := slice0cost_difference_3_2 < 0;
+      slice0cost_difference_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
+      slice0cost_difference_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
+      slice0cost_difference_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
+      slice0cost_difference_1_0 <= slice0shift_search_1_0 - slice0shift_reference_1;
+      slice0cost_difference_1_1 <= slice0shift_search_1_1 - slice0shift_reference_1;
+      slice0cost_difference_1_2 <= slice0shift_search_1_2 - slice0shift_reference_1;
+      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      slice0cost_difference_4_0 <= slice0shift_search_4_0 - slice0shift_reference_4;
+      slice0cost_difference_4_1 <= slice0shift_search_4_1 - slice0shift_reference_4;
+      slice0cost_difference_4_2 <= slice0shift_search_4_2 - slice0shift_reference_4;
+      slice0cost_difference_tag_valid <= slice0shift_tag_valid;
+      slice0cost_difference_tag_map_column <= slice0shift_tag_map_column;
+      slice0cost_difference_tag_output_column <= slice0shift_tag_output_column;
+      slice0cost_difference_tag_first_column <= slice0shift_tag_first_column;
+      slice0cost_difference_tag_start_of_frame <= slice0shift_tag_start_of_frame;
+      slice0cost_difference_tag_end_of_line <= slice0shift_tag_end_of_line;
+      slice0cost_pair_0_0 <= folded(slice0cost_difference_2_0) + folded(slice0cost_difference_1_0) +
+        as_number((slice0cost_difference_1_0 < 0));
+      slice0cost_pair_0_1 <= folded(slice0cost_difference_2_1) + folded(slice0cost_difference_1_1) +
+        as_number((slice0cost_difference_1_1 < 0));
+      slice0cost_pair_0_2 <= folded(slice0cost_difference_2_2) + folded(slice0cost_difference_1_2) +
+        as_number((slice0cost_difference_1_2 < 0));
+      slice0cost_pair_1_0 <= folded(slice0cost_difference_4_0) + slice0cost_pair_1_0_folded_value +
+        as_number(slice0cost_pair_1_0_is_less);
+      slice0cost_pair_1_1 <= folded(slice0cost_difference_4_1) + slice0cost_pair_1_1_folded_value +
+        as_number(slice0cost_pair_1_1_is_less);
+      slice0cost_pair_1_2 <= folded(slice0cost_difference_4_2) + slice0cost_pair_1_2_folded_value +
+        as_number(slice0cost_pair_1_2_is_less);
+      slice0cost_negative_0_0 <= slice0cost_difference_2_0 < 0;
+      slice0cost_negative_0_1 <= slice0cost_difference_2_1 < 0;
+      slice0cost_negative_0_2 <= slice0cost_difference_2_2 < 0;
+      slice0cost_negative_1_0 <= slice0cost_difference_4_0 < 0;
+      slice0cost_negative_1_1 <= slice0cost_difference_4_1 < 0;
+      slice0cost_negative_1_2 <= slice0cost_difference_4_2 < 0;
+      slice0cost_single_0_0 <= folded(slice0cost_difference_0_0);
+      slice0cost_single_0_1 <= folded(slice0cost_difference_0_1);
+      slice0cost_single_0_2 <= folded(slice0cost_difference_0_2);
+      slice0cost_single_3_0 <= (slice0cost_pair_1_0_folded_value + as_number(slice0cost_pair_1_0_is_less)) mod 256;
+      slice0cost_single_3_1 <= (slice0cost_pair_1_1_folded_value + as_number(slice0cost_pair_1_1_is_less)) mod 256;
+      slice0cost_single_3_2 <= (slice0cost_pair_1_2_folded_value + as_number(slice0cost_pair_1_2_is_less)) mod 256;
+      slice0cost_single_negative_0_0 <= slice0cost_difference_0_0 < 0;
+      slice0cost_single_negative_0_1 <= slice0cost_difference_0_1 < 0;
+      slice0cost_single_negative_0_2 <= slice0cost_difference_0_2 < 0;
+      slice0cost_pair_tag_valid <= slice0cost_difference_tag_valid;
+      slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
+      slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
+      slice0cost_pair_tag_first_column <= slice0cost_difference_tag_first_column;
+      slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
+      slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
+      slice0cost_column_0_0 <= slice0cost_single_3_0 + slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) +
+        slice0cost_single_0_0 + as_number(slice0cost_single_negative_0_0);
+      slice0cost_column_0_1 <= slice0cost_single_3_1 + slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) +
+        slice0cost_single_0_1 + as_number(slice0cost_single_negative_0_1);
+      slice0cost_column_0_2 <= slice0cost_single_3_2 + slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) +
+        slice0cost_single_0_2 + as_number(slice0cost_single_negative_0_2);
+      slice0cost_column_1_0 <= as_number(slice0cost_negative_1_0) + slice0cost_pair_0_0 +
+        as_number(slice0cost_negative_0_0) + slice0cost_pair_1_0;
+      slice0cost_column_1_1 <= as_number(slice0cost_negative_1_1) + slice0cost_pair_0_1 +
+        as_number(slice0cost_negative_0_1) + slice0cost_pair_1_1;
+      slice0cost_column_1_2 <= as_number(slice0cost_negative_1_2) + slice0cost_pair_0_2 +
+        as_number(slice0cost_negative_0_2) + slice0cost_pair_1_2;
+      slice0cost_tag_valid <= slice0cost_pair_tag_valid;
+      slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
+      slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
+      slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
+      slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
+      slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      -- slice0window
+      if slice0cost_tag_valid then
+        slice0window_partial_0_0_0 <= slice0cost_column_0_0;
+        slice0window_partial_0_0_1 <= slice0cost_column_0_1;
+        slice0window_partial_0_0_2 <= slice0cost_column_0_2;
+        slice0window_partial_0_1_0 <= slice0cost_column_0_0 + slice0window_partial_0_0_0;
+        slice0window_partial_0_1_1 <= slice0cost_column_0_1 + slice0window_partial_0_0_1;
+        slice0window_partial_0_1_2 <= slice0cost_column_0_2 + slice0window_partial_0_0_2;
+        slice0window_partial_0_2_0 <= slice0cost_column_0_0 + slice0window_partial_0_1_0;
+        slice0window_partial_0_2_1 <= slice0cost_column_0_1 + slice0window_partial_0_1_1;
+        slice0window_partial_0_2_2 <= slice0cost_column_0_2 + slice0window_partial_0_1_2;
+        slice0window_partial_1_0_0 <= slice0cost_column_1_0;
+        slice0window_partial_1_0_1 <= slice0cost_column_1_1;
+        slice0window_partial_1_0_2 <= slice0cost_column_1_2;
+        slice0window_partial_1_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_0_0;
+        slice0window_partial_1_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_0_1;
+        slice0window_partial_1_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_0_2;
+        slice0window_partial_1_2_0 <= slice0cost_column_1_0 + slice0window_partial_1_1_0;
+        slice0window_partial_1_2_1 <= slice0cost_column_1_1 + slice0window_partial_1_1_1;
+        slice0window_partial_1_2_2 <= slice0cost_column_1_2 + slice0window_partial_1_1_2;
+        slice0window_centre_output_column_0 <= slice0cost_tag_output_column;
+        slice0window_centre_output_column_1 <= slice0window_centre_output_column_0;
+        slice0window_centre_first_column_1 <= slice1cost_tag_first_column;
+      end if;
+      slice0window_centre_map_column_0 <= slice0cost_tag_map_column;
+      slice0window_centre_first_column_0 <= slice0cost_tag_first_column;
+      slice0window_centre_start_of_frame_0 <= slice0cost_tag_start_of_frame;
+      slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
+      slice0window_centre_end_of_line_0 <= slice0cost_tag_end_of_line;
+      slice0window_sum_0_0 <= slice0cost_column_0_0 + slice0window_partial_0_2_0;
+      slice0window_sum_0_1 <= slice0cost_column_0_1 + slice0window_partial_0_2_1;
+      slice0window_sum_0_2 <= slice0cost_column_0_2 + slice0window_partial_0_2_2;
+      slice0window_sum_1_0 <= slice0cost_column_1_0 + slice0window_partial_1_2_0;
+      slice0window_sum_1_1 <= slice0cost_column_1_1 + slice0window_partial_1_2_1;
+      slice0window_sum_1_2 <= slice0cost_column_1_2 + slice0window_partial_1_2_2;
+      slice0window_tag_valid <= slice0cost_tag_valid;
+      if slice0window_tag_valid then
+        slice0window_tag_output_column <= slice1window_centre_output_column_0;
+        slice0window_tag_first_column <= slice1window_centre_first_column_0;
+      end if;
+      if slice0winner1_pair_tag_valid then
+        slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_1;
+      end if;
+      -- slice0mask
+      slice0mask_inside_0_all := (not slice0cost_tag_valid) and slice0mask_inside_0;
+      slice0mask_inside_0_choice := slice0mask_inside_0_all when slice0window_centre_first_column_1 else
+        slice0cost_tag_valid or slice0mask_inside_0;
+      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
+      slice0mask_inside_2_choice := not slice0cost_tag_valid when slice0window_centre_first_column_1 else (not
+        slice0cost_tag_valid) or slice0mask_inside_1;
+      slice0mask_inside_0 <= slice0mask_inside_0_choice when (slice0mask_column >= 1) and (slice0mask_column < 30) else
+        slice0mask_inside_0_all;
+      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice0window_centre_first_column_1
+        else slice0mask_inside_1_choice;
+      slice0mask_inside_2 <= slice0mask_inside_2_choice when slice0mask_inside_2 else (not
+        slice0window_centre_first_column_1) and slice0cost_tag_valid and slice0mask_inside_1;
+      slice0mask_left_out <= slice0mask_inside_2;
+      if slice0cost_tag_valid then
+        slice0mask_column <= 0 when slice0window_centre_first_column_1 else (slice0mask_column + 1) mod 32;
+      end if;
+      -- slice0other
+      slice0other_cost_0_0_all := slice1window_centre_output_column_1 and slice0mask_inside_0;
+      slice0other_cost_0_1_all := slice1window_centre_output_column_1 and slice0mask_inside_1;
+      slice0other_cost_0_1_all_2 := slice1window_centre_first_column_1 and slice1window_centre_output_column_1 and
+        slice0mask_inside_1;
+      slice0other_cost_0_1_choice := slice0other_cost_0_1_all when (slice0window_sum_0_1 - slice0other_cost_0_0) < 0
+        else slice0other_cost_0_1_all_2;
+      slice0other_cost_1_1_choice := slice0other_cost_0_1_all when (slice0window_sum_1_1 - slice0other_cost_1_0) < 0
+        else slice0other_cost_0_1_all_2;
+      if slice0window_tag_valid then
+        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else 0;
+        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
+        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_0_0_all else 0;
+        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_0;
+        slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
+        slice0other_winner_1_1 <= slice0other_cost_1_1_choice;
+      end if;
+      slice0other_cost_0_2_choice := slice0mask_inside_2 when slice1window_centre_first_column_1 else
+        ((slice0window_sum_0_2 - slice0other_cost_0_1) < 0) and slice0mask_inside_2;
+      slice0other_cost_0_2_choice_2 := slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
+      slice0other_cost_0_2_choice_3 := slice0other_cost_0_2_choice_2 when slice0window_tag_valid else
+        slice0other_cost_0_2;
+      slice0other_cost_0_2_choice_4 := slice0other_cost_0_1 when slice0window_tag_valid else slice0other_cost_0_2;
+      slice0other_cost_1_2_choice := slice0mask_inside_2 when (slice0window_sum_1_2 - slice0other_cost_1_1) < 0 else
+        slice1window_centre_first_column_1 and slice0mask_inside_2;
+      slice0other_cost_1_2_choice_2 := slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
+      slice0other_cost_1_2_choice_3 := slice0other_cost_1_2_choice_2 when slice0window_tag_valid else
+        slice0other_cost_1_2;
+      slice0other_cost_1_2_choice_4 := slice0other_cost_1_1 when slice0window_tag_valid else slice0other_cost_1_2;
+      slice0other_winner_0_2_choice := 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
+      slice0other_winner_0_2_choice_2 := slice0other_winner_0_2_choice when slice0window_tag_valid else
+        slice0other_winner_0_2;
+      if slice0window_tag_valid then
+        slice0other_winner_0_2_choice_3 := as_number(slice0other_winner_0_1);
+      else
+        slice0other_winner_0_2_choice_3 := slice0other_winner_0_2;
+      end if;
+      slice0other_winner_1_2_choice := 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
+      slice0other_winner_1_2_choice_2 := slice0other_winner_1_2_choice when slice0window_tag_valid else
+        slice0other_winner_1_2;
+      if slice0window_tag_valid then
+        slice0other_winner_1_2_choice_3 := as_number(slice0other_winner_1_1);
+      else
+        slice0other_winner_1_2_choice_3 := slice0other_winner_1_2;
+      end if;
+      slice0other_cost_0_2 <= slice0other_cost_0_2_choice_3 when slice1window_centre_output_column_1 else
+        slice0other_cost_0_2_choice_4;
+      slice0other_cost_1_2 <= slice0other_cost_1_2_choice_3 when slice1window_centre_output_column_1 else
+        slice0other_cost_1_2_choice_4;
+      slice0other_winner_0_2 <= slice0other_winner_0_2_choice_2 when slice1window_centre_output_column_1 else
+        slice0other_winner_0_2_choice_3;
+      slice0other_winner_1_2 <= slice0other_winner_1_2_choice_2 when slice1window_centre_output_column_1 else
+        slice0other_winner_1_2_choice_3;
+      slice0other_cost_out_0 <= slice0other_cost_0_2;
+      slice0other_cost_out_1 <= slice0other_cost_1_2;
+      slice0other_winner_out_0 <= slice0other_winner_0_2;
+      slice0other_winner_out_1 <= slice0other_winner_1_2;
+      -- slice0winner1
+      slice0winner1_of_pair_0_0_choice := 0 when slice0mask_inside_1 else 4095;
+      slice0winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice, 12))));
+      slice0winner1_of_pair_0_0_choice_2 := 0 when slice0mask_inside_0 else 4095;
+      slice0winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice_2, 12))));
+      slice0winner1_of_pair_0_0_is_less := (slice0winner1_of_pair_0_0_any - slice0winner1_of_pair_0_0_any_2) < 0;
+      slice0winner1_of_pair_0_2_choice := 0 when slice0mask_inside_2 else 4095;
+      slice0winner1_of_pair_1_0_any := to_integer(((to_unsigned(slice0window_sum_1_1, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice, 13))));
+      slice0winner1_of_pair_1_0_any_2 := to_integer(((to_unsigned(slice0window_sum_1_0, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_0_choice_2, 13))));
+      slice0winner1_of_pair_1_0_is_less := (slice0winner1_of_pair_1_0_any - slice0winner1_of_pair_1_0_any_2) < 0;
+      slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
+      slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 13)) or (to_unsigned(slice0winner1_of_pair_1_1, 13))))) < 0;
+      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0winner1_of_pair_0_0_any_2;
+      slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any when slice0winner1_of_pair_0_0_is_less else 0;
+      slice0winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice0window_sum_0_2, 12)) or
+        (to_unsigned(slice0winner1_of_pair_0_2_choice, 12))));
+      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0winner1_of_pair_1_0_any_2;
+      slice0winner1_of_pair_1_1 <= slice0winner1_of_pair_1_0_any when slice0winner1_of_pair_1_0_is_less else 0;
+      slice0winner1_of_pair_1_2 <= to_integer(((to_unsigned(slice0window_sum_1_2, 13)) or
+        (to_unsigned(slice0winner1_of_pair_0_2_choice, 13))));
+      slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
+      slice0winner1_pair_index_0_1 <= 2;
+      slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
+      slice0winner1_pair_tag_valid <= slice0window_tag_valid;
+      slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
+      slice0winner1_pair_tag_first_column <= slice0window_tag_first_column;
+      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
+      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
+      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
+      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
+      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
+      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
+      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
+        as_number(slice0winner1_pair_index_0_0);
+      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
+        as_number(slice0winner1_pair_index_1_0);
+      slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
+      slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
+      slice0winner1_four_tag_output_column <= slice1window_tag_output_column;
+      slice0winner1_four_tag_first_column <= slice1window_tag_first_column;
+      slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
+      slice0winner1_four_tag_end_of_line <= slice0winner1_pair_tag_end_of_line;
+      slice0winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice0winner1_of_four_0_2, 12)))) or (to_unsigned(slice0winner1_of_four_0_0, 12))));
+      slice0winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice0winner1_of_four_1_1, 13)) or
+        (to_unsigned(slice0winner1_of_four_1_2, 13)))) or (to_unsigned(slice0winner1_of_four_1_0, 13))));
+      slice0winner1_best_index_0_0 <= slice0winner1_four_index_0_0;
+      slice0winner1_best_index_1_0 <= slice0winner1_four_index_1_0;
+      slice0winner1_tag_valid <= slice0winner1_four_tag_valid;
+      slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
+      slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
+      slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
+      slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_pair_tag_valid then
+        slice0winner1_pair_tag_map_column <= slice2window_centre_map_column_0;
+        slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
+        slice0winner1_pair_tag_end_of_line <= slice2window_centre_end_of_line_0;
+      end if;
+      -- slice0
+      slice0_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      slice0_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      slice0_best_index_0_0 <= slice0winner1_best_index_0_0;
+      slice0_best_index_1_0 <= slice0winner1_best_index_1_0;
+      slice0_best_tag_valid <= slice0winner1_tag_valid;
+      slice0_best_tag_map_column <= slice0winner1_tag_map_column;
+      slice0_best_tag_output_column <= slice0winner1_tag_output_column;
+      slice0_best_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      slice0_best_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      -- slice1shift
+      if slice0shift_tag_valid then
+        slice1shift_search_0_0 <= slice0shift_search_out_0;
+        slice1shift_search_0_1 <= slice1shift_search_0_0;
+        slice1shift_search_0_2 <= slice1shift_search_0_1;
+        slice1shift_search_1_0 <= slice0shift_search_out_1;
+        slice1shift_search_1_1 <= slice1shift_search_1_0;
+        slice1shift_search_1_2 <= slice1shift_search_1_1;
+        slice1shift_search_2_0 <= slice0shift_search_out_2;
+        slice1shift_search_2_1 <= slice1shift_search_2_0;
+        slice1shift_search_2_2 <= slice1shift_search_2_1;
+        slice1shift_search_3_0 <= slice0shift_search_out_3;
+        slice1shift_search_3_1 <= slice1shift_search_3_0;
+        slice1shift_search_3_2 <= slice1shift_search_3_1;
+        slice1shift_search_4_0 <= slice0shift_search_out_4;
+        slice1shift_search_4_1 <= slice1shift_search_4_0;
+        slice1shift_search_4_2 <= slice1shift_search_4_1;
+      end if;
+      slice1shift_reference_0 <= slice0shift_reference_0;
+      slice1shift_reference_1 <= slice0shift_reference_1;
+      slice1shift_reference_2 <= slice0shift_reference_2;
+      slice1shift_reference_3 <= slice0shift_reference_3;
+      slice1shift_reference_4 <= slice0shift_reference_4;
+      slice1shift_search_out_0 <= slice1shift_search_0_2;
+      slice1shift_search_out_1 <= slice1shift_search_1_2;
+      slice1shift_search_out_2 <= slice1shift_search_2_2;
+      slice1shift_search_out_3 <= slice1shift_search_3_2;
+      slice1shift_search_out_4 <= slice1shift_search_4_2;
+      -- slice1cost
+      slice1cost_pair_1_0_folded_value := folded(slice1cost_difference_3_0);
+      slice1cost_pair_1_0_is_less := slice1cost_difference_3_0 < 0;
+      slice1cost_pair_1_1_folded_value := folded(slice1cost_difference_3_1);
+      slice1cost_pair_1_1_is_less := slice1cost_difference_3_1 < 0;
+      slice1cost_pair_1_2_folded_value := folded(slice1cost_difference_3_2);
+      slice1cost_pair_1_2_is_less := slice1cost_difference_3_2 < 0;
+      slice1cost_difference_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
+      slice1cost_difference_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
+      slice1cost_difference_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
+      slice1cost_difference_1_0 <= slice1shift_search_1_0 - slice1shift_reference_1;
+      slice1cost_difference_1_1 <= slice1shift_search_1_1 - slice1shift_reference_1;
+      slice1cost_difference_1_2 <= slice1shift_search_1_2 - slice1shift_reference_1;
+      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      slice1cost_difference_4_0 <= slice1shift_search_4_0 - slice1shift_reference_4;
+      slice1cost_difference_4_1 <= slice1shift_search_4_1 - slice1shift_reference_4;
+      slice1cost_difference_4_2 <= slice1shift_search_4_2 - slice1shift_reference_4;
+      slice1cost_pair_0_0 <= folded(slice1cost_difference_2_0) + folded(slice1cost_difference_1_0) +
+        as_number((slice1cost_difference_1_0 < 0));
+      slice1cost_pair_0_1 <= folded(slice1cost_difference_2_1) + folded(slice1cost_difference_1_1) +
+        as_number((slice1cost_difference_1_1 < 0));
+      slice1cost_pair_0_2 <= folded(slice1cost_difference_2_2) + folded(slice1cost_difference_1_2) +
+        as_number((slice1cost_difference_1_2 < 0));
+      slice1cost_pair_1_0 <= folded(slice1cost_difference_4_0) + slice1cost_pair_1_0_folded_value +
+        as_number(slice1cost_pair_1_0_is_less);
+      slice1cost_pair_1_1 <= folded(slice1cost_difference_4_1) + slice1cost_pair_1_1_folded_value +
+        as_number(slice1cost_pair_1_1_is_less);
+      slice1cost_pair_1_2 <= folded(slice1cost_difference_4_2) + slice1cost_pair_1_2_folded_value +
+        as_number(slice1cost_pair_1_2_is_less);
+      slice1cost_negative_0_0 <= slice1cost_difference_2_0 < 0;
+      slice1cost_negative_0_1 <= slice1cost_difference_2_1 < 0;
+      slice1cost_negative_0_2 <= slice1cost_difference_2_2 < 0;
+      slice1cost_negative_1_0 <= slice1cost_difference_4_0 < 0;
+      slice1cost_negative_1_1 <= slice1cost_difference_4_1 < 0;
+      slice1cost_negative_1_2 <= slice1cost_difference_4_2 < 0;
+      slice1cost_single_0_0 <= folded(slice1cost_difference_0_0);
+      slice1cost_single_0_1 <= folded(slice1cost_difference_0_1);
+      slice1cost_single_0_2 <= folded(slice1cost_difference_0_2);
+      slice1cost_single_3_0 <= (slice1cost_pair_1_0_folded_value + as_number(slice1cost_pair_1_0_is_less)) mod 256;
+      slice1cost_single_3_1 <= (slice1cost_pair_1_1_folded_value + as_number(slice1cost_pair_1_1_is_less)) mod 256;
+      slice1cost_single_3_2 <= (slice1cost_pair_1_2_folded_value + as_number(slice1cost_pair_1_2_is_less)) mod 256;
+      slice1cost_single_negative_0_0 <= slice1cost_difference_0_0 < 0;
+      slice1cost_single_negative_0_1 <= slice1cost_difference_0_1 < 0;
+      slice1cost_single_negative_0_2 <= slice1cost_difference_0_2 < 0;
+      slice1cost_column_0_0 <= slice1cost_single_3_0 + slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) +
+        slice1cost_single_0_0 + as_number(slice1cost_single_negative_0_0);
+      slice1cost_column_0_1 <= slice1cost_single_3_1 + slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) +
+        slice1cost_single_0_1 + as_number(slice1cost_single_negative_0_1);
+      slice1cost_column_0_2 <= slice1cost_single_3_2 + slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) +
+        slice1cost_single_0_2 + as_number(slice1cost_single_negative_0_2);
+      slice1cost_column_1_0 <= as_number(slice1cost_negative_1_0) + slice1cost_pair_0_0 +
+        as_number(slice1cost_negative_0_0) + slice1cost_pair_1_0;
+      slice1cost_column_1_1 <= as_number(slice1cost_negative_1_1) + slice1cost_pair_0_1 +
+        as_number(slice1cost_negative_0_1) + slice1cost_pair_1_1;
+      slice1cost_column_1_2 <= as_number(slice1cost_negative_1_2) + slice1cost_pair_0_2 +
+        as_number(slice1cost_negative_0_2) + slice1cost_pair_1_2;
+      slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      if slice0cost_tag_valid then
+        slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      end if;
+      -- slice1window
+      if slice0window_tag_valid then
+        slice1window_partial_0_0_0 <= slice1cost_column_0_0;
+        slice1window_partial_0_0_1 <= slice1cost_column_0_1;
+        slice1window_partial_0_0_2 <= slice1cost_column_0_2;
+        slice1window_partial_0_1_0 <= slice1cost_column_0_0 + slice1window_partial_0_0_0;
+        slice1window_partial_0_1_1 <= slice1cost_column_0_1 + slice1window_partial_0_0_1;
+        slice1window_partial_0_1_2 <= slice1cost_column_0_2 + slice1window_partial_0_0_2;
+        slice1window_partial_0_2_0 <= slice1cost_column_0_0 + slice1window_partial_0_1_0;
+        slice1window_partial_0_2_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
+        slice1window_partial_0_2_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
+        slice1window_partial_1_0_0 <= slice1cost_column_1_0;
+        slice1window_partial_1_0_1 <= slice1cost_column_1_1;
+        slice1window_partial_1_0_2 <= slice1cost_column_1_2;
+        slice1window_partial_1_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_0_0;
+        slice1window_partial_1_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_0_1;
+        slice1window_partial_1_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_0_2;
+        slice1window_partial_1_2_0 <= slice1cost_column_1_0 + slice1window_partial_1_1_0;
+        slice1window_partial_1_2_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
+        slice1window_partial_1_2_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
+        slice1window_centre_output_column_0 <= slice1cost_tag_output_column;
+        slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
+      end if;
+      slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
+      slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
+      slice1window_centre_first_column_1 <= slice0window_centre_first_column_1;
+      slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
+      slice1window_sum_0_0 <= slice1cost_column_0_0 + slice1window_partial_0_2_0;
+      slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_2_1;
+      slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_2_2;
+      slice1window_sum_1_0 <= slice1cost_column_1_0 + slice1window_partial_1_2_0;
+      slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_2_1;
+      slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_2_2;
+      if slice0winner1_pair_tag_valid then
+        slice1window_tag_output_column <= slice2window_centre_output_column_0;
+        slice1window_tag_first_column <= slice2window_centre_first_column_0;
+      end if;
+      -- slice1mask
+      slice1mask_inside_0_choice := (not slice0window_tag_first_column) or (not slice0window_tag_valid) when
+        slice0mask_left_out else not slice0window_tag_valid;
+      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice1mask_inside_0 else slice0mask_left_out and (not
+        slice0window_tag_first_column) and slice0window_tag_valid;
+      slice1mask_left_out <= slice1mask_inside_2;
+      if slice0window_tag_valid then
+        slice1mask_inside_1 <= (not slice0window_tag_first_column) and slice1mask_inside_0;
+        slice1mask_inside_2 <= (not slice0window_tag_first_column) and slice1mask_inside_1;
+      end if;
+      -- slice1other
+      slice1other_cost_0_0_choice := slice1mask_inside_0 when (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 else
+        slice0winner1_pair_tag_first_column and slice1mask_inside_0;
+      slice1other_cost_0_0_choice_2 := slice1window_sum_0_0 when slice1other_cost_0_0_choice else
+        slice0other_cost_out_0;
+      slice1other_cost_0_0_choice_3 := slice1other_cost_0_0_choice_2 when slice0winner1_pair_tag_valid else
+        slice1other_cost_0_0;
+      slice1other_cost_0_0_choice_4 := slice0other_cost_out_0 when slice0winner1_pair_tag_valid else
+        slice1other_cost_0_0;
+      slice1other_cost_0_1_all := slice0winner1_pair_tag_first_column and slice1mask_inside_1;
+      slice1other_cost_0_1_choice := slice1mask_inside_1 when (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 else
+        slice1other_cost_0_1_all;
+      slice1other_cost_0_1_choice_2 := slice1window_sum_0_1 when slice1other_cost_0_1_choice else slice1other_cost_0_0;
+      slice1other_cost_0_1_choice_3 := slice1other_cost_0_1_choice_2 when slice0winner1_pair_tag_valid else
+        slice1other_cost_0_1;
+      slice1other_cost_0_1_choice_4 := slice1other_cost_0_0 when slice0winner1_pair_tag_valid else slice1other_cost_0_1;
+      slice1other_cost_0_2_choice := slice1mask_inside_2 when slice0winner1_pair_tag_first_column else
+        ((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) and slice1mask_inside_2;
+      slice1other_cost_0_2_choice_2 := slice1window_sum_0_2 when slice1other_cost_0_2_choice else slice1other_cost_0_1;
+      slice1other_cost_0_2_choice_3 := slice1other_cost_0_2_choice_2 when slice0winner1_pair_tag_valid else
+        slice1other_cost_0_2;
+      slice1other_cost_0_2_choice_4 := slice1other_cost_0_1 when slice0winner1_pair_tag_valid else slice1other_cost_0_2;
+      slice1other_cost_1_1_choice := slice1mask_inside_1 when (slice1window_sum_1_1 - slice1other_cost_1_0) < 0 else
+        slice1other_cost_0_1_all;
+      slice1other_cost_1_1_choice_2 := slice1window_sum_1_1 when slice1other_cost_1_1_choice else slice1other_cost_1_0;
+      slice1other_cost_1_1_choice_3 := slice1other_cost_1_1_choice_2 when slice0winner1_pair_tag_valid else
+        slice1other_cost_1_1;
+      slice1other_cost_1_1_choice_4 := slice1other_cost_1_0 when slice0winner1_pair_tag_valid else slice1other_cost_1_1;
+      slice1other_cost_1_2_choice := slice1mask_inside_2 when (slice1window_sum_1_2 - slice1other_cost_1_1) < 0 else
+        slice0winner1_pair_tag_first_column and slice1mask_inside_2;
+      slice1other_cost_1_2_choice_2 := slice1window_sum_1_2 when slice1other_cost_1_2_choice else slice1other_cost_1_1;
+      slice1other_cost_1_2_choice_3 := slice1other_cost_1_2_choice_2 when slice0winner1_pair_tag_valid else
+        slice1other_cost_1_2;
+      slice1other_cost_1_2_choice_4 := slice1other_cost_1_1 when slice0winner1_pair_tag_valid else slice1other_cost_1_2;
+      slice1other_winner_0_0_choice := 3 when slice1other_cost_0_0_choice else slice0other_winner_out_0;
+      slice1other_winner_0_0_choice_2 := slice1other_winner_0_0_choice when slice0winner1_pair_tag_valid else
+        slice1other_winner_0_0;
+      slice1other_winner_0_0_choice_3 := slice0other_winner_out_0 when slice0winner1_pair_tag_valid else
+        slice1other_winner_0_0;
+      slice1other_winner_0_1_choice := 4 when slice1other_cost_0_1_choice else slice1other_winner_0_0;
+      slice1other_winner_0_1_choice_2 := slice1other_winner_0_1_choice when slice0winner1_pair_tag_valid else
+        slice1other_winner_0_1;
+      if slice0winner1_pair_tag_valid then
+        slice1other_winner_0_1_choice_3 := slice1other_winner_0_0;
+      else
+        slice1other_winner_0_1_choice_3 := slice1other_winner_0_1;
+      end if;
+      slice1other_winner_0_2_choice := 5 when slice1other_cost_0_2_choice else slice1other_winner_0_1;
+      slice1other_winner_0_2_choice_2 := slice1other_winner_0_2_choice when slice0winner1_pair_tag_valid else
+        slice1other_winner_0_2;
+      slice1other_winner_0_2_choice_3 := slice1other_winner_0_1 when slice0winner1_pair_tag_valid else
+        slice1other_winner_0_2;
+      slice1other_winner_1_1_choice := 4 when slice1other_cost_1_1_choice else slice1other_winner_1_0;
+      slice1other_winner_1_1_choice_2 := slice1other_winner_1_1_choice when slice0winner1_pair_tag_valid else
+        slice1other_winner_1_1;
+      if slice0winner1_pair_tag_valid then
+        slice1other_winner_1_1_choice_3 := slice1other_winner_1_0;
+      else
+        slice1other_winner_1_1_choice_3 := slice1other_winner_1_1;
+      end if;
+      slice1other_winner_1_2_choice := 5 when slice1other_cost_1_2_choice else slice1other_winner_1_1;
+      slice1other_winner_1_2_choice_2 := slice1other_winner_1_2_choice when slice0winner1_pair_tag_valid else
+        slice1other_winner_1_2;
+      slice1other_winner_1_2_choice_3 := slice1other_winner_1_1 when slice0winner1_pair_tag_valid else
+        slice1other_winner_1_2;
+      slice1other_cost_0_0 <= slice1other_cost_0_0_choice_3 when slice0winner1_pair_tag_output_column else
+        slice1other_cost_0_0_choice_4;
+      slice1other_cost_0_1 <= slice1other_cost_0_1_choice_3 when slice0winner1_pair_tag_output_column else
+        slice1other_cost_0_1_choice_4;
+      slice1other_cost_0_2 <= slice1other_cost_0_2_choice_3 when slice0winner1_pair_tag_output_column else
+        slice1other_cost_0_2_choice_4;
+      slice1other_cost_1_1 <= slice1other_cost_1_1_choice_3 when slice0winner1_pair_tag_output_column else
+        slice1other_cost_1_1_choice_4;
+      slice1other_cost_1_2 <= slice1other_cost_1_2_choice_3 when slice0winner1_pair_tag_output_column else
+        slice1other_cost_1_2_choice_4;
+      slice1other_winner_0_0 <= slice1other_winner_0_0_choice_2 when slice0winner1_pair_tag_output_column else
+        slice1other_winner_0_0_choice_3;
+      slice1other_winner_0_1 <= slice1other_winner_0_1_choice_2 when slice0winner1_pair_tag_output_column else
+        slice1other_winner_0_1_choice_3;
+      slice1other_winner_0_2 <= slice1other_winner_0_2_choice_2 when slice0winner1_pair_tag_output_column else
+        slice1other_winner_0_2_choice_3;
+      slice1other_winner_1_1 <= slice1other_winner_1_1_choice_2 when slice0winner1_pair_tag_output_column else
+        slice1other_winner_1_1_choice_3;
+      slice1other_winner_1_2 <= slice1other_winner_1_2_choice_2 when slice0winner1_pair_tag_output_column else
+        slice1other_winner_1_2_choice_3;
+      slice1other_cost_out_0 <= slice1other_cost_0_2;
+      slice1other_cost_out_1 <= slice1other_cost_1_2;
+      slice1other_winner_out_0 <= slice1other_winner_0_2;
+      slice1other_winner_out_1 <= slice1other_winner_1_2;
+      slice1other_cost_1_0_choice := slice0winner1_pair_tag_output_column and slice1mask_inside_0 when
+        (slice1window_sum_1_0 - slice0other_cost_out_1) < 0 else slice0winner1_pair_tag_first_column and
+        slice0winner1_pair_tag_output_column and slice1mask_inside_0;
+      if slice0winner1_pair_tag_valid then
+        slice1other_cost_1_0 <= slice1window_sum_1_0 when slice1other_cost_1_0_choice else slice0other_cost_out_1;
+        slice1other_winner_1_0 <= 3 when slice1other_cost_1_0_choice else slice0other_winner_out_1;
+      end if;
+      -- slice1winner1
+      slice1winner1_of_pair_0_0_choice := 0 when slice1mask_inside_1 else 4095;
+      slice1winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice, 12))));
+      slice1winner1_of_pair_0_0_choice_2 := 0 when slice1mask_inside_0 else 4095;
+      slice1winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice_2, 12))));
+      slice1winner1_of_pair_0_0_is_less := (slice1winner1_of_pair_0_0_any - slice1winner1_of_pair_0_0_any_2) < 0;
+      slice1winner1_of_pair_0_2_choice := 0 when slice1mask_inside_2 else 4095;
+      slice1winner1_of_pair_1_0_any := to_integer(((to_unsigned(slice1window_sum_1_1, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice, 13))));
+      slice1winner1_of_pair_1_0_any_2 := to_integer(((to_unsigned(slice1window_sum_1_0, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_0_choice_2, 13))));
+      slice1winner1_of_pair_1_0_is_less := (slice1winner1_of_pair_1_0_any - slice1winner1_of_pair_1_0_any_2) < 0;
+      slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
+      slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
+        to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 13)) or (to_unsigned(slice1winner1_of_pair_1_1, 13))))) < 0;
+      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1winner1_of_pair_0_0_any_2;
+      slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any when slice1winner1_of_pair_0_0_is_less else 0;
+      slice1winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice1window_sum_0_2, 12)) or
+        (to_unsigned(slice1winner1_of_pair_0_2_choice, 12))));
+      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1winner1_of_pair_1_0_any_2;
+      slice1winner1_of_pair_1_1 <= slice1winner1_of_pair_1_0_any when slice1winner1_of_pair_1_0_is_less else 0;
+      slice1winner1_of_pair_1_2 <= to_integer(((to_unsigned(slice1window_sum_1_2, 13)) or
+        (to_unsigned(slice1winner1_of_pair_0_2_choice, 13))));
+      slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
+      slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
+      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
+      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
+      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
+      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
+      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
+      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
+      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
+        as_number(slice1winner1_pair_index_0_0);
+      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
+        as_number(slice1winner1_pair_index_1_0);
+      slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
+        (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
+      slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 13)) or
+        (to_unsigned(slice1winner1_of_four_1_2, 13)))) or (to_unsigned(slice1winner1_of_four_1_0, 13))));
+      slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      -- slice1
+      slice1_best_cost_0_0_is_less := (slice1winner1_best_cost_0_0 - slice0_best_cost_0_0) < 0;
+      slice1_best_cost_1_0_is_less := (slice1winner1_best_cost_1_0 - slice0_best_cost_1_0) < 0;
+      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
+      slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice0_best_cost_1_0;
+      slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
+        slice0_best_index_0_0;
+      slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
+        slice0_best_index_1_0;
+      slice1_best_tag_valid <= slice0_best_tag_valid;
+      slice1_best_tag_map_column <= slice0_best_tag_map_column;
+      slice1_best_tag_output_column <= slice0_best_tag_output_column;
+      slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
+      slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      -- slice2shift
+      if slice0cost_difference_tag_valid then
+        slice2shift_search_0_0 <= slice1shift_search_out_0;
+        slice2shift_search_0_1 <= slice2shift_search_0_0;
+        slice2shift_search_1_0 <= slice1shift_search_out_1;
+        slice2shift_search_1_1 <= slice2shift_search_1_0;
+        slice2shift_search_2_0 <= slice1shift_search_out_2;
+        slice2shift_search_2_1 <= slice2shift_search_2_0;
+        slice2shift_search_3_0 <= slice1shift_search_out_3;
+        slice2shift_search_3_1 <= slice2shift_search_3_0;
+        slice2shift_search_4_0 <= slice1shift_search_out_4;
+        slice2shift_search_4_1 <= slice2shift_search_4_0;
+      end if;
+      slice2shift_reference_0 <= slice1shift_reference_0;
+      slice2shift_reference_1 <= slice1shift_reference_1;
+      slice2shift_reference_2 <= slice1shift_reference_2;
+      slice2shift_reference_3 <= slice1shift_reference_3;
+      slice2shift_reference_4 <= slice1shift_reference_4;
+      -- slice2cost
+      slice2cost_pair_1_0_is_less := slice2cost_difference_3_0 < 0;
+      slice2cost_pair_1_0_folded_value := folded(slice2cost_difference_3_0);
+      slice2cost_pair_1_1_is_less := slice2cost_difference_3_1 < 0;
+      slice2cost_pair_1_1_folded_value := folded(slice2cost_difference_3_1);
+      slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
+      slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
+      slice2cost_difference_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
+      slice2cost_difference_1_1 <= slice2shift_search_1_1 - slice2shift_reference_1;
+      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
+      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
+      slice2cost_difference_4_0 <= slice2shift_search_4_0 - slice2shift_reference_4;
+      slice2cost_difference_4_1 <= slice2shift_search_4_1 - slice2shift_reference_4;
+      slice2cost_pair_0_0 <= as_number((slice2cost_difference_1_0 < 0)) + folded(slice2cost_difference_1_0) +
+        folded(slice2cost_difference_2_0);
+      slice2cost_pair_0_1 <= as_number((slice2cost_difference_1_1 < 0)) + folded(slice2cost_difference_1_1) +
+        folded(slice2cost_difference_2_1);
+      slice2cost_pair_1_0 <= as_number(slice2cost_pair_1_0_is_less) + slice2cost_pair_1_0_folded_value +
+        folded(slice2cost_difference_4_0);
+      slice2cost_pair_1_1 <= as_number(slice2cost_pair_1_1_is_less) + slice2cost_pair_1_1_folded_value +
+        folded(slice2cost_difference_4_1);
+      slice2cost_negative_0_0 <= slice2cost_difference_2_0 < 0;
+      slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
+      slice2cost_negative_1_0 <= slice2cost_difference_4_0 < 0;
+      slice2cost_negative_1_1 <= slice2cost_difference_4_1 < 0;
+      slice2cost_single_0_0 <= folded(slice2cost_difference_0_0);
+      slice2cost_single_0_1 <= folded(slice2cost_difference_0_1);
+      slice2cost_single_3_0 <= (slice2cost_pair_1_0_folded_value + as_number(slice2cost_pair_1_0_is_less)) mod 256;
+      slice2cost_single_3_1 <= (slice2cost_pair_1_1_folded_value + as_number(slice2cost_pair_1_1_is_less)) mod 256;
+      slice2cost_single_negative_0_0 <= slice2cost_difference_0_0 < 0;
+      slice2cost_single_negative_0_1 <= slice2cost_difference_0_1 < 0;
+      slice2cost_column_0_0 <= slice2cost_single_3_0 + slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) +
+        slice2cost_single_0_0 + as_number(slice2cost_single_negative_0_0);
+      slice2cost_column_0_1 <= slice2cost_single_3_1 + slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) +
+        slice2cost_single_0_1 + as_number(slice2cost_single_negative_0_1);
+      slice2cost_column_1_0 <= as_number(slice2cost_negative_1_0) + slice2cost_pair_0_0 +
+        as_number(slice2cost_negative_0_0) + slice2cost_pair_1_0;
+      slice2cost_column_1_1 <= as_number(slice2cost_negative_1_1) + slice2cost_pair_0_1 +
+        as_number(slice2cost_negative_0_1) + slice2cost_pair_1_1;
+      slice2cost_tag_output_column <= slice1cost_tag_output_column;
+      slice2cost_tag_first_column <= slice0window_centre_first_column_0;
+      -- slice2window
+      if slice0winner1_pair_tag_valid then
+        slice2window_partial_0_0_0 <= slice2cost_column_0_0;
+        slice2window_partial_0_0_1 <= slice2cost_column_0_1;
+        slice2window_partial_0_1_0 <= slice2cost_column_0_0 + slice2window_partial_0_0_0;
+        slice2window_partial_0_1_1 <= slice2cost_column_0_1 + slice2window_partial_0_0_1;
+        slice2window_partial_0_2_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
+        slice2window_partial_0_2_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
+        slice2window_partial_1_0_0 <= slice2cost_column_1_0;
+        slice2window_partial_1_0_1 <= slice2cost_column_1_1;
+        slice2window_partial_1_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_0_0;
+        slice2window_partial_1_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_0_1;
+        slice2window_partial_1_2_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
+        slice2window_partial_1_2_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
+        slice2window_centre_map_column_0 <= slice1window_centre_map_column_0;
+        slice2window_centre_output_column_0 <= slice2cost_tag_output_column;
+        slice2window_centre_first_column_0 <= slice2cost_tag_first_column;
+        slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
+      end if;
+      slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_2_0;
+      slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_2_1;
+      slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_2_0;
+      slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_2_1;
+      -- slice2mask
+      slice2mask_inside_0_choice := (not slice1window_tag_first_column) or (not slice0winner1_pair_tag_valid) when
+        slice1mask_left_out else not slice0winner1_pair_tag_valid;
+      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice2mask_inside_0 else slice1mask_left_out and (not
+        slice1window_tag_first_column) and slice0winner1_pair_tag_valid;
+      if slice0winner1_pair_tag_valid then
+        slice2mask_inside_1 <= (not slice1window_tag_first_column) and slice2mask_inside_0;
+      end if;
+      -- slice2other
+      slice2other_cost_0_0_choice := slice2mask_inside_0 when (slice2window_sum_0_0 - slice1other_cost_out_0) < 0 else
+        slice0winner1_four_tag_first_column and slice2mask_inside_0;
+      slice2other_cost_0_0_choice_2 := slice2window_sum_0_0 when slice2other_cost_0_0_choice else
+        slice1other_cost_out_0;
+      slice2other_cost_0_0_choice_3 := slice2other_cost_0_0_choice_2 when slice0winner1_four_tag_valid else
+        slice2other_cost_0_0;
+      slice2other_cost_0_0_choice_4 := slice1other_cost_out_0 when slice0winner1_four_tag_valid else
+        slice2other_cost_0_0;
+      slice2other_winner_0_0_choice := 6 when slice2other_cost_0_0_choice else slice1other_winner_out_0;
+      slice2other_winner_0_0_choice_2 := slice2other_winner_0_0_choice when slice0winner1_four_tag_valid else
+        slice2other_winner_0_0;
+      slice2other_winner_0_0_choice_3 := slice1other_winner_out_0 when slice0winner1_four_tag_valid else
+        slice2other_winner_0_0;
+      slice2other_winner_0_1_choice := slice2mask_inside_1 when slice0winner1_four_tag_first_column else
+        ((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) and slice2mask_inside_1;
+      slice2other_winner_0_1_choice_2 := 7 when slice2other_winner_0_1_choice else slice2other_winner_0_0;
+      slice2other_winner_0_1_choice_3 := slice2other_winner_0_1_choice_2 when slice0winner1_four_tag_valid else
+        slice2other_winner_0_1;
+      slice2other_winner_0_1_choice_4 := slice2other_winner_0_0 when slice0winner1_four_tag_valid else
+        slice2other_winner_0_1;
+      slice2other_winner_1_1_choice := slice2mask_inside_1 when (slice2window_sum_1_1 - slice2other_cost_1_0) < 0 else
+        slice0winner1_four_tag_first_column and slice2mask_inside_1;
+      slice2other_winner_1_1_choice_2 := 7 when slice2other_winner_1_1_choice else slice2other_winner_1_0;
+      slice2other_winner_1_1_choice_3 := slice2other_winner_1_1_choice_2 when slice0winner1_four_tag_valid else
+        slice2other_winner_1_1;
+      slice2other_winner_1_1_choice_4 := slice2other_winner_1_0 when slice0winner1_four_tag_valid else
+        slice2other_winner_1_1;
+      slice2other_cost_0_0 <= slice2other_cost_0_0_choice_3 when slice0winner1_four_tag_output_column else
+        slice2other_cost_0_0_choice_4;
+      slice2other_winner_0_0 <= slice2other_winner_0_0_choice_2 when slice0winner1_four_tag_output_column else
+        slice2other_winner_0_0_choice_3;
+      slice2other_winner_0_1 <= slice2other_winner_0_1_choice_3 when slice0winner1_four_tag_output_column else
+        slice2other_winner_0_1_choice_4;
+      slice2other_winner_1_1 <= slice2other_winner_1_1_choice_3 when slice0winner1_four_tag_output_column else
+        slice2other_winner_1_1_choice_4;
+      slice2other_winner_out_0 <= slice2other_winner_0_1;
+      slice2other_winner_out_1 <= slice2other_winner_1_1;
+      slice2other_cost_1_0_choice := slice0winner1_four_tag_output_column and slice2mask_inside_0 when
+        (slice2window_sum_1_0 - slice1other_cost_out_1) < 0 else slice0winner1_four_tag_first_column and
+        slice0winner1_four_tag_output_column and slice2mask_inside_0;
+      if slice0winner1_four_tag_valid then
+        slice2other_cost_1_0 <= slice2window_sum_1_0 when slice2other_cost_1_0_choice else slice1other_cost_out_1;
+        slice2other_winner_1_0 <= 6 when slice2other_cost_1_0_choice else slice1other_winner_out_1;
+      end if;
+      -- slice2winner1
+      slice2winner1_best_cost_0_0_choice := 0 when slice2mask_inside_1 else 4095;
+      slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2window_sum_0_1, 12)) or
+        (to_unsigned(slice2winner1_best_cost_0_0_choice, 12))));
+      slice2winner1_best_cost_0_0_choice_2 := 0 when slice2mask_inside_0 else 4095;
+      slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2window_sum_0_0, 12)) or
+        (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 12))));
+      slice2winner1_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0_any - slice2winner1_best_cost_0_0_any_2) < 0;
+      slice2winner1_best_cost_1_0_any := to_integer(((to_unsigned(slice2winner1_best_cost_0_0_choice, 13)) or
+        (to_unsigned(slice2window_sum_1_1, 13))));
+      slice2winner1_best_cost_1_0_any_2 := to_integer(((to_unsigned(slice2window_sum_1_0, 13)) or
+        (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 13))));
+      slice2winner1_best_cost_1_0_is_less := (slice2winner1_best_cost_1_0_any - slice2winner1_best_cost_1_0_any_2) < 0;
+      slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any when slice2winner1_best_cost_0_0_is_less else
+        slice2winner1_best_cost_0_0_any_2;
+      slice2winner1_best_cost_1_0 <= slice2winner1_best_cost_1_0_any when slice2winner1_best_cost_1_0_is_less else
+        slice2winner1_best_cost_1_0_any_2;
+      slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      -- slice2winner2
+      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
+      slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
+      -- slice2winner3
+      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      slice2winner3_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
+      -- slice2
+      slice2_best_cost_0_0_is_less := (slice2winner3_best_cost_0_0 - slice1_best_cost_0_0) < 0;
+      slice2_best_cost_1_0_is_less := (slice2winner3_best_cost_1_0 - slice1_best_cost_1_0) < 0;
+      slice2_best_cost_0_0 <= slice2winner3_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
+      slice2_best_cost_1_0 <= slice2winner3_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
+      slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
+        slice1_best_index_0_0;
+      slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
+        slice1_best_index_1_0;
+      slice2_best_tag_valid <= slice1_best_tag_valid;
+      slice2_best_tag_map_column <= slice1_best_tag_map_column;
+      slice2_best_tag_output_column <= slice1_best_tag_output_column;
+      slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
+      slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      -- leftright
+      leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
+        (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
+      leftright_address_0_value := to_integer(leftright_held_0(6 downto 4));
+      leftright_address_1_value := to_integer(leftright_held_0(15 downto 13));
+      leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
+      leftright_checked_passed_1_difference := (leftright_answered_disparity_1 + 1) - to_integer(leftright_found_1);
+      leftright_other_1_0 <= slice2other_winner_out_0;
+      leftright_other_1_1 <= slice2other_winner_out_1;
+      leftright_other_2_0 <= leftright_other_1_0;
+      leftright_other_2_1 <= leftright_other_1_1;
+      leftright_holds_winners <= leftright_holds_winners and (not slice2_best_tag_valid) when
+        leftright_holds_winners_all else leftright_holds_winners or slice2_best_tag_valid;
+      leftright_position <= (leftright_position + as_number(slice2_best_tag_valid)) mod 16;
+      leftright_held_position <= leftright_position;
+      leftright_held_valid <= (not leftright_holds_winners_all) and slice2_best_tag_valid;
+      leftright_address_0 <= (leftright_held_position - leftright_address_0_value) mod 16;
+      leftright_address_1 <= (leftright_held_position - leftright_address_1_value) mod 16;
+      leftright_asking_disparity_0 <= leftright_address_0_value;
+      leftright_asking_disparity_1 <= leftright_address_1_value;
+      leftright_asking_passed_0 <= to_integer(leftright_held_0(21 downto 21)) = 1;
+      leftright_asking_passed_1 <= to_integer(leftright_held_0(12 downto 12)) = 1;
+      leftright_asking_tag_valid <= leftright_held_valid;
+      leftright_asking_tag_output_column <= to_integer(leftright_held_0(1 downto 1)) = 1;
+      leftright_asking_tag_start_of_frame <= to_integer(leftright_held_0(2 downto 2)) = 1;
+      leftright_asking_tag_end_of_line <= to_integer(leftright_held_0(3 downto 3)) = 1;
+      leftright_answered_disparity_0 <= leftright_asking_disparity_0;
+      leftright_answered_disparity_1 <= leftright_asking_disparity_1;
+      leftright_answered_passed_0 <= leftright_asking_passed_0;
+      leftright_answered_passed_1 <= leftright_asking_passed_1;
+      leftright_answered_tag_valid <= leftright_asking_tag_valid;
+      leftright_answered_tag_output_column <= leftright_asking_tag_output_column;
+      leftright_answered_tag_start_of_frame <= leftright_asking_tag_start_of_frame;
+      leftright_answered_tag_end_of_line <= leftright_asking_tag_end_of_line;
+      leftright_checked_disparity_0 <= leftright_answered_disparity_0;
+      leftright_checked_disparity_1 <= leftright_answered_disparity_1;
+      leftright_checked_passed_0 <= leftright_answered_passed_1 and (leftright_checked_passed_0_difference >= 0) and
+        (leftright_checked_passed_0_difference < 3);
+      leftright_checked_passed_1 <= leftright_answered_passed_0 and (leftright_checked_passed_1_difference >= 0) and
+        (leftright_checked_passed_1_difference < 3);
+      leftright_checked_tag_valid <= leftright_answered_tag_valid;
+      leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
+      leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
+      leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if slice2_best_tag_valid then
+        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
+          mod 8;
+        leftright_ring_write_address <= leftright_ring_read_address;
+      end if;
+      -- other
+      other_0 <= other_1;
+      other_1 <= other_3;
+      other_2 <= to_integer(delay_delayed_0(15 downto 8)) * 256;
+      other_3 <= (in_left_pixel / 256) * 256;
+      other_4 <= raster_place_group_is_equal;
+      if reset = '1' then
+        raster_features_search <= 0;
+        raster_features_reference_0 <= 0;
+        raster_features_valid <= false;
+        raster_place_column <= 0;
+        raster_place_group <= 7;
+        raster_place_next_frame <= false;
+        delay_ring_read_address <= 1;
+        delay_ring_write_address <= 0;
+        delay_ahead_0 <= 0;
+        delay_column <= 0;
+        delay_row_inside_0 <= false;
+        delay_row_inside_2 <= false;
+        delay_row_inside_4 <= false;
+        delay_tag_valid <= false;
+        delay_tag_output_column <= false;
+        delay_tag_first_column <= false;
+        delay_tag_start_of_frame <= false;
+        delay_tag_end_of_line <= false;
+        delay_search_inside_0 <= false;
+        delay_search_inside_2 <= false;
+        delay_search_inside_3 <= false;
+        delay_search_inside_4 <= false;
+        delay_inside_before_0 <= false;
+        delay_inside_before_2 <= false;
+        delay_inside_before_4 <= false;
+        rows_search_rows_read_newest_0 <= 0;
+        rows_search_rows_ready_words_0 <= to_unsigned(0, 32);
+        rows_search_rows_ready_newest <= 0;
+        rows_search_rows_write_words_0 <= to_unsigned(0, 32);
+        rows_reference_rows_read_newest_0 <= 0;
+        rows_reference_rows_ready_words_0 <= to_unsigned(0, 32);
+        rows_reference_rows_ready_newest <= 0;
+        rows_reference_rows_write_words_0 <= to_unsigned(0, 32);
+        rows_read_column <= 0;
+        rows_read_inside_0 <= false;
+        rows_read_inside_2 <= false;
+        rows_read_inside_4 <= false;
+        rows_read_tag_valid <= false;
+        rows_read_tag_output_column <= false;
+        rows_read_tag_first_column <= false;
+        rows_read_tag_start_of_frame <= false;
+        rows_read_tag_end_of_line <= false;
+        rows_read_search_inside_0 <= false;
+        rows_read_search_inside_2 <= false;
+        rows_read_search_inside_4 <= false;
+        rows_ready_column <= 0;
+        rows_ready_inside_0 <= false;
+        rows_ready_inside_4 <= false;
+        rows_ready_tag_valid <= false;
+        rows_ready_tag_output_column <= false;
+        rows_ready_tag_first_column <= false;
+        rows_ready_tag_start_of_frame <= false;
+        rows_ready_tag_end_of_line <= false;
+        rows_ready_search_inside_0 <= false;
+        rows_ready_search_inside_2 <= false;
+        rows_ready_search_inside_4 <= false;
+        rows_write_column <= 0;
+        rows_search_0 <= 0;
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_search_4 <= 0;
+        rows_reference_0 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+        rows_reference_4 <= 0;
+        rows_tag_valid <= false;
+        rows_tag_output_column <= false;
+        rows_tag_first_column <= false;
+        rows_tag_start_of_frame <= false;
+        rows_tag_end_of_line <= false;
+        slice0shift_search_0_0 <= 0;
+        slice0shift_search_0_1 <= 0;
+        slice0shift_search_0_2 <= 0;
+        slice0shift_search_1_0 <= 0;
+        slice0shift_search_1_1 <= 0;
+        slice0shift_search_1_2 <= 0;
+        slice0shift_search_2_0 <= 0;
+        slice0shift_search_2_1 <= 0;
+        slice0shift_search_2_2 <= 0;
+        slice0shift_search_3_0 <= 0;
+        slice0shift_search_3_1 <= 0;
+        slice0shift_search_3_2 <= 0;
+        slice0shift_search_4_0 <= 0;
+        slice0shift_search_4_1 <= 0;
+        slice0shift_search_4_2 <= 0;
+        slice0shift_reference_0 <= 0;
+        slice0shift_reference_1 <= 0;
+        slice0shift_reference_2 <= 0;
+        slice0shift_reference_3 <= 0;
+        slice0shift_reference_4 <= 0;
+        slice0shift_search_out_0 <= 0;
+        slice0shift_search_out_1 <= 0;
+        slice0shift_search_out_2 <= 0;
+        slice0shift_search_out_3 <= 0;
+        slice0shift_search_out_4 <= 0;
+        slice0shift_tag_valid <= false;
+        slice0shift_tag_output_column <= false;
+        slice0shift_tag_first_column <= false;
+        slice0shift_tag_start_of_frame <= false;
+        slice0shift_tag_end_of_line <= false;
+        slice0cost_difference_0_0 <= 0;
+        slice0cost_difference_0_1 <= 0;
+        slice0cost_difference_0_2 <= 0;
+        slice0cost_difference_1_0 <= 0;
+        slice0cost_difference_1_1 <= 0;
+        slice0cost_difference_1_2 <= 0;
+        slice0cost_difference_2_0 <= 0;
+        slice0cost_difference_2_1 <= 0;
+        slice0cost_difference_2_2 <= 0;
+        slice0cost_difference_3_0 <= 0;
+        slice0cost_difference_3_1 <= 0;
+        slice0cost_difference_3_2 <= 0;
+        slice0cost_difference_4_0 <= 0;
+        slice0cost_difference_4_1 <= 0;
+        slice0cost_difference_4_2 <= 0;
+        slice0cost_difference_tag_valid <= false;
+        slice0cost_difference_tag_output_column <= false;
+        slice0cost_difference_tag_first_column <= false;
+        slice0cost_difference_tag_start_of_frame <= false;
+        slice0cost_difference_tag_end_of_line <= false;
+        slice0cost_pair_0_0 <= 0;
+        slice0cost_pair_0_1 <= 0;
+        slice0cost_pair_0_2 <= 0;
+        slice0cost_pair_1_0 <= 0;
+        slice0cost_pair_1_1 <= 0;
+        slice0cost_pair_1_2 <= 0;
+        slice0cost_negative_0_0 <= false;
+        slice0cost_negative_0_1 <= false;
+        slice0cost_negative_0_2 <= false;
+        slice0cost_negative_1_0 <= false;
+        slice0cost_negative_1_1 <= false;
+        slice0cost_negative_1_2 <= false;
+        slice0cost_single_0_0 <= 0;
+        slice0cost_single_0_1 <= 0;
+        slice0cost_single_0_2 <= 0;
+        slice0cost_single_3_0 <= 0;
+        slice0cost_single_3_1 <= 0;
+        slice0cost_single_3_2 <= 0;
+        slice0cost_single_negative_0_0 <= false;
+        slice0cost_single_negative_0_1 <= false;
+        slice0cost_single_negative_0_2 <= false;
+        slice0cost_pair_tag_valid <= false;
+        slice0cost_pair_tag_output_column <= false;
+        slice0cost_pair_tag_first_column <= false;
+        slice0cost_pair_tag_start_of_frame <= false;
+        slice0cost_pair_tag_end_of_line <= false;
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_tag_valid <= false;
+        slice0cost_tag_output_column <= false;
+        slice0cost_tag_first_column <= false;
+        slice0cost_tag_start_of_frame <= false;
+        slice0cost_tag_end_of_line <= false;
+        slice0window_partial_0_0_0 <= 0;
+        slice0window_partial_0_0_1 <= 0;
+        slice0window_partial_0_0_2 <= 0;
+        slice0window_partial_0_1_0 <= 0;
+        slice0window_partial_0_1_1 <= 0;
+        slice0window_partial_0_1_2 <= 0;
+        slice0window_partial_0_2_0 <= 0;
+        slice0window_partial_0_2_1 <= 0;
+        slice0window_partial_0_2_2 <= 0;
+        slice0window_partial_1_0_0 <= 0;
+        slice0window_partial_1_0_1 <= 0;
+        slice0window_partial_1_0_2 <= 0;
+        slice0window_partial_1_1_0 <= 0;
+        slice0window_partial_1_1_1 <= 0;
+        slice0window_partial_1_1_2 <= 0;
+        slice0window_partial_1_2_0 <= 0;
+        slice0window_partial_1_2_1 <= 0;
+        slice0window_partial_1_2_2 <= 0;
+        slice0window_centre_first_column_0 <= false;
+        slice0window_centre_first_column_1 <= false;
+        slice0window_centre_start_of_frame_0 <= false;
+        slice0window_centre_start_of_frame_1 <= false;
+        slice0window_centre_end_of_line_0 <= false;
+        slice0window_sum_0_0 <= 0;
+        slice0window_sum_0_1 <= 0;
+        slice0window_sum_0_2 <= 0;
+        slice0window_sum_1_0 <= 0;
+        slice0window_sum_1_1 <= 0;
+        slice0window_sum_1_2 <= 0;
+        slice0window_tag_valid <= false;
+        slice0window_tag_first_column <= false;
+        slice0window_tag_start_of_frame <= false;
+        slice0mask_inside_0 <= false;
+        slice0mask_inside_1 <= false;
+        slice0mask_inside_2 <= false;
+        slice0mask_left_out <= false;
+        slice0mask_column <= 0;
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= 0;
+        slice0winner1_of_pair_0_2 <= 0;
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= 0;
+        slice0winner1_of_pair_1_2 <= 0;
+        slice0winner1_pair_index_0_0 <= false;
+        slice0winner1_pair_index_0_1 <= 0;
+        slice0winner1_pair_index_1_0 <= false;
+        slice0winner1_pair_tag_valid <= false;
+        slice0winner1_pair_tag_start_of_frame <= false;
+        slice0winner1_pair_tag_end_of_line <= false;
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_0_0 <= 0;
+        slice0winner1_four_index_1_0 <= 0;
+        slice0winner1_four_tag_valid <= false;
+        slice0winner1_four_tag_output_column <= false;
+        slice0winner1_four_tag_start_of_frame <= false;
+        slice0winner1_four_tag_end_of_line <= false;
+        slice0winner1_best_cost_0_0 <= 0;
+        slice0winner1_best_cost_1_0 <= 0;
+        slice0winner1_best_index_0_0 <= 0;
+        slice0winner1_best_index_1_0 <= 0;
+        slice0winner1_tag_valid <= false;
+        slice0winner1_tag_output_column <= false;
+        slice0winner1_tag_start_of_frame <= false;
+        slice0winner1_tag_end_of_line <= false;
+        slice0_best_cost_0_0 <= 0;
+        slice0_best_cost_1_0 <= 0;
+        slice0_best_index_0_0 <= 0;
+        slice0_best_index_1_0 <= 0;
+        slice0_best_tag_valid <= false;
+        slice0_best_tag_output_column <= false;
+        slice0_best_tag_start_of_frame <= false;
+        slice0_best_tag_end_of_line <= false;
+        slice1shift_search_0_0 <= 0;
+        slice1shift_search_0_1 <= 0;
+        slice1shift_search_0_2 <= 0;
+        slice1shift_search_1_0 <= 0;
+        slice1shift_search_1_1 <= 0;
+        slice1shift_search_1_2 <= 0;
+        slice1shift_search_2_0 <= 0;
+        slice1shift_search_2_1 <= 0;
+        slice1shift_search_2_2 <= 0;
+        slice1shift_search_3_0 <= 0;
+        slice1shift_search_3_1 <= 0;
+        slice1shift_search_3_2 <= 0;
+        slice1shift_search_4_0 <= 0;
+        slice1shift_search_4_1 <= 0;
+        slice1shift_search_4_2 <= 0;
+        slice1shift_reference_0 <= 0;
+        slice1shift_reference_1 <= 0;
+        slice1shift_reference_2 <= 0;
+        slice1shift_reference_3 <= 0;
+        slice1shift_reference_4 <= 0;
+        slice1shift_search_out_0 <= 0;
+        slice1shift_search_out_1 <= 0;
+        slice1shift_search_out_2 <= 0;
+        slice1shift_search_out_3 <= 0;
+        slice1shift_search_out_4 <= 0;
+        slice1cost_difference_0_0 <= 0;
+        slice1cost_difference_0_1 <= 0;
+        slice1cost_difference_0_2 <= 0;
+        slice1cost_difference_1_0 <= 0;
+        slice1cost_difference_1_1 <= 0;
+        slice1cost_difference_1_2 <= 0;
+        slice1cost_difference_2_0 <= 0;
+        slice1cost_difference_2_1 <= 0;
+        slice1cost_difference_2_2 <= 0;
+        slice1cost_difference_3_0 <= 0;
+        slice1cost_difference_3_1 <= 0;
+        slice1cost_difference_3_2 <= 0;
+        slice1cost_difference_4_0 <= 0;
+        slice1cost_difference_4_1 <= 0;
+        slice1cost_difference_4_2 <= 0;
+        slice1cost_pair_0_0 <= 0;
+        slice1cost_pair_0_1 <= 0;
+        slice1cost_pair_0_2 <= 0;
+        slice1cost_pair_1_0 <= 0;
+        slice1cost_pair_1_1 <= 0;
+        slice1cost_pair_1_2 <= 0;
+        slice1cost_negative_0_0 <= false;
+        slice1cost_negative_0_1 <= false;
+        slice1cost_negative_0_2 <= false;
+        slice1cost_negative_1_0 <= false;
+        slice1cost_negative_1_1 <= false;
+        slice1cost_negative_1_2 <= false;
+        slice1cost_single_0_0 <= 0;
+        slice1cost_single_0_1 <= 0;
+        slice1cost_single_0_2 <= 0;
+        slice1cost_single_3_0 <= 0;
+        slice1cost_single_3_1 <= 0;
+        slice1cost_single_3_2 <= 0;
+        slice1cost_single_negative_0_0 <= false;
+        slice1cost_single_negative_0_1 <= false;
+        slice1cost_single_negative_0_2 <= false;
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_tag_output_column <= false;
+        slice1cost_tag_first_column <= false;
+        slice1window_partial_0_0_0 <= 0;
+        slice1window_partial_0_0_1 <= 0;
+        slice1window_partial_0_0_2 <= 0;
+        slice1window_partial_0_1_0 <= 0;
+        slice1window_partial_0_1_1 <= 0;
+        slice1window_partial_0_1_2 <= 0;
+        slice1window_partial_0_2_0 <= 0;
+        slice1window_partial_0_2_1 <= 0;
+        slice1window_partial_0_2_2 <= 0;
+        slice1window_partial_1_0_0 <= 0;
+        slice1window_partial_1_0_1 <= 0;
+        slice1window_partial_1_0_2 <= 0;
+        slice1window_partial_1_1_0 <= 0;
+        slice1window_partial_1_1_1 <= 0;
+        slice1window_partial_1_1_2 <= 0;
+        slice1window_partial_1_2_0 <= 0;
+        slice1window_partial_1_2_1 <= 0;
+        slice1window_partial_1_2_2 <= 0;
+        slice1window_centre_first_column_0 <= false;
+        slice1window_centre_end_of_line_0 <= false;
+        slice1window_sum_0_0 <= 0;
+        slice1window_sum_0_1 <= 0;
+        slice1window_sum_0_2 <= 0;
+        slice1window_sum_1_0 <= 0;
+        slice1window_sum_1_1 <= 0;
+        slice1window_sum_1_2 <= 0;
+        slice1window_tag_output_column <= false;
+        slice1window_tag_first_column <= false;
+        slice1mask_inside_0 <= false;
+        slice1mask_inside_1 <= false;
+        slice1mask_inside_2 <= false;
+        slice1mask_left_out <= false;
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= 0;
+        slice1winner1_of_pair_0_2 <= 0;
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= 0;
+        slice1winner1_of_pair_1_2 <= 0;
+        slice1winner1_pair_index_0_0 <= false;
+        slice1winner1_pair_index_1_0 <= false;
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_0_0 <= 0;
+        slice1winner1_four_index_1_0 <= 0;
+        slice1winner1_best_cost_0_0 <= 0;
+        slice1winner1_best_cost_1_0 <= 0;
+        slice1winner1_best_index_0_0 <= 0;
+        slice1winner1_best_index_1_0 <= 0;
+        slice1_best_cost_0_0 <= 0;
+        slice1_best_cost_1_0 <= 0;
+        slice1_best_index_0_0 <= 0;
+        slice1_best_index_1_0 <= 0;
+        slice1_best_tag_valid <= false;
+        slice1_best_tag_output_column <= false;
+        slice1_best_tag_start_of_frame <= false;
+        slice1_best_tag_end_of_line <= false;
+        slice2shift_search_0_0 <= 0;
+        slice2shift_search_0_1 <= 0;
+        slice2shift_search_1_0 <= 0;
+        slice2shift_search_1_1 <= 0;
+        slice2shift_search_2_0 <= 0;
+        slice2shift_search_2_1 <= 0;
+        slice2shift_search_3_0 <= 0;
+        slice2shift_search_3_1 <= 0;
+        slice2shift_search_4_0 <= 0;
+        slice2shift_search_4_1 <= 0;
+        slice2shift_reference_0 <= 0;
+        slice2shift_reference_1 <= 0;
+        slice2shift_reference_2 <= 0;
+        slice2shift_reference_3 <= 0;
+        slice2shift_reference_4 <= 0;
+        slice2cost_difference_0_0 <= 0;
+        slice2cost_difference_0_1 <= 0;
+        slice2cost_difference_1_0 <= 0;
+        slice2cost_difference_1_1 <= 0;
+        slice2cost_difference_2_0 <= 0;
+        slice2cost_difference_2_1 <= 0;
+        slice2cost_difference_3_0 <= 0;
+        slice2cost_difference_3_1 <= 0;
+        slice2cost_difference_4_0 <= 0;
+        slice2cost_difference_4_1 <= 0;
+        slice2cost_pair_0_0 <= 0;
+        slice2cost_pair_0_1 <= 0;
+        slice2cost_pair_1_0 <= 0;
+        slice2cost_pair_1_1 <= 0;
+        slice2cost_negative_0_0 <= false;
+        slice2cost_negative_0_1 <= false;
+        slice2cost_negative_1_0 <= false;
+        slice2cost_negative_1_1 <= false;
+        slice2cost_single_0_0 <= 0;
+        slice2cost_single_0_1 <= 0;
+        slice2cost_single_3_0 <= 0;
+        slice2cost_single_3_1 <= 0;
+        slice2cost_single_negative_0_0 <= false;
+        slice2cost_single_negative_0_1 <= false;
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+        slice2cost_tag_output_column <= false;
+        slice2cost_tag_first_column <= false;
+        slice2window_partial_0_0_0 <= 0;
+        slice2window_partial_0_0_1 <= 0;
+        slice2window_partial_0_1_0 <= 0;
+        slice2window_partial_0_1_1 <= 0;
+        slice2window_partial_0_2_0 <= 0;
+        slice2window_partial_0_2_1 <= 0;
+        slice2window_partial_1_0_0 <= 0;
+        slice2window_partial_1_0_1 <= 0;
+        slice2window_partial_1_1_0 <= 0;
+        slice2window_partial_1_1_1 <= 0;
+        slice2window_partial_1_2_0 <= 0;
+        slice2window_partial_1_2_1 <= 0;
+        slice2window_centre_output_column_0 <= false;
+        slice2window_centre_first_column_0 <= false;
+        slice2window_centre_end_of_line_0 <= false;
+        slice2window_sum_0_0 <= 0;
+        slice2window_sum_0_1 <= 0;
+        slice2window_sum_1_0 <= 0;
+        slice2window_sum_1_1 <= 0;
+        slice2mask_inside_0 <= false;
+        slice2mask_inside_1 <= false;
+        slice2winner1_best_cost_0_0 <= 0;
+        slice2winner1_best_cost_1_0 <= 0;
+        slice2winner1_best_index_0_0 <= false;
+        slice2winner1_best_index_1_0 <= false;
+        slice2winner2_best_cost_0_0 <= 0;
+        slice2winner2_best_cost_1_0 <= 0;
+        slice2winner2_best_index_0_0 <= false;
+        slice2winner2_best_index_1_0 <= false;
+        slice2winner3_best_cost_0_0 <= 0;
+        slice2winner3_best_cost_1_0 <= 0;
+        slice2winner3_best_index_0_0 <= false;
+        slice2winner3_best_index_1_0 <= false;
+        slice2_best_index_0_0 <= 0;
+        slice2_best_index_1_0 <= 0;
+        slice2_best_tag_valid <= false;
+        slice2_best_tag_output_column <= false;
+        slice2_best_tag_start_of_frame <= false;
+        slice2_best_tag_end_of_line <= false;
+        leftright_ring_read_address <= 1;
+        leftright_ring_write_address <= 0;
+        leftright_holds_winners <= false;
+        leftright_position <= 0;
+        leftright_held_position <= 0;
+        leftright_held_valid <= false;
+        leftright_address_0 <= 0;
+        leftright_address_1 <= 0;
+        leftright_asking_tag_valid <= false;
+        leftright_asking_tag_output_column <= false;
+        leftright_asking_tag_start_of_frame <= false;
+        leftright_asking_tag_end_of_line <= false;
+        leftright_answered_tag_valid <= false;
+        leftright_answered_tag_output_column <= false;
+        leftright_answered_tag_start_of_frame <= false;
+        leftright_answered_tag_end_of_line <= false;
+        leftright_checked_tag_valid <= false;
+        leftright_checked_tag_output_column <= false;
+        leftright_checked_tag_start_of_frame <= false;
+        leftright_checked_tag_end_of_line <= false;
+        other_0 <= 0;
+        other_1 <= 0;
+        other_2 <= 0;
+        other_3 <= 0;
+        other_4 <= false;
+      end if;
+    end if;
+  end process;
+end architecture;
