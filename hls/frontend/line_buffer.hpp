@@ -27,7 +27,7 @@ struct LineBuffer {
       uint16_t column;
       bool inside[kTaps];
       PixelTag tag;
-      bool search_inside[kSplitsRows ? kTaps : 1];  ///< of the searched image where it is another row's
+      [[no_unique_address]] std::conditional_t<kSplitsRows, SearchInside<kTaps>, NoSplitRows> search;
 
       HLS_INLINE Place() { start(*this); }
 
@@ -36,7 +36,7 @@ struct LineBuffer {
          visit("column", column);
          visit("inside", inside);
          visit("tag", tag);
-         if constexpr (kSplitsRows) visit("search_inside", search_inside);
+         if constexpr (kSplitsRows) visit("search", search);
       }
    };
    Place read;   // clock 1
@@ -74,7 +74,7 @@ struct LineBuffer {
          const bool shown = ready.inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
          bool search_shown = shown;
          if constexpr (kSplitsRows)
-            search_shown = ready.search_inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
+            search_shown = ready.search.inside[t] || (C.remembers_signs() && t >= kTaps - kPixels);
          search[t] = select<Feature<C>>(search_shown, search_rows.row(C.tap_row(t)), 0);
          reference[t] = select<Feature<C>>(shown, reference_rows.row(C.tap_row(t)), 0);
          inside[t] = ready.inside[t];
@@ -99,8 +99,8 @@ struct LineBuffer {
          ready.inside[t] = read.inside[t];
          read.inside[t] = in.row_inside[t];
          if constexpr (kSplitsRows) {
-            ready.search_inside[t] = read.search_inside[t];
-            read.search_inside[t] = in.search_inside[t];
+            ready.search.inside[t] = read.search.inside[t];
+            read.search.inside[t] = in.split.search_inside[t];
          }
       }
    }

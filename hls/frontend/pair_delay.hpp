@@ -3,6 +3,7 @@
 
 #include "frontend/pixel_tag.hpp"
 #include "frontend/raster.hpp"
+#include "frontend/split_rows.hpp"
 #include "support/full_width.hpp"
 #include "support/packed.hpp"
 #include "support/ring.hpp"
@@ -18,6 +19,7 @@ struct PairDelay {
    static constexpr int kTaps = C.tap_rows();
    static constexpr int kDelay = C.reference_delay() + C.search_delay();  ///< one of them is 0
    static constexpr bool kDelaysReference = C.reference_delay() > 0;
+   static constexpr bool kSplitsRows = kFullWidth<C> && kDelay > 0;
    using Pack = Packed<C.feature_bits(), kPixels>;
    using Word = typename Pack::Word;
 
@@ -30,12 +32,7 @@ struct PairDelay {
    uint16_t column;             ///< of `ahead`
    bool row_inside[kTaps];      ///< [t]: tap t is a row of the frame whose windows are summed
    PixelTag tag;
-   // With full_width the image that is held back still shows the end of the row before when the next one begins.
-   static constexpr bool kSplitsRows = kFullWidth<C> && kDelay > 0;
-   bool search_inside[kSplitsRows ? kTaps : 1];  ///< [t]: of the searched image; row_inside is of the reference then
-   bool inside_before[kSplitsRows ? kTaps : 1];  ///< [t]: of the row before, as the following
-   bool output_before, first_before, start_before;
-   bool whole_before;  ///< the row before was not broken off
+   [[no_unique_address]] std::conditional_t<kSplitsRows, SplitRows<kTaps>, NoSplitRows> split;
 
    template <class Source, int First>
    HLS_INLINE PairDelay(Source& memories, MemoryId<First> first) : ring(memories, first) {
@@ -50,14 +47,7 @@ struct PairDelay {
       visit("column", column);
       visit("row_inside", row_inside);
       visit("tag", tag);
-      if constexpr (kSplitsRows) {
-         visit("search_inside", search_inside);
-         visit("inside_before", inside_before);
-         visit("output_before", output_before);
-         visit("first_before", first_before);
-         visit("start_before", start_before);
-         visit("whole_before", whole_before);
-      }
+      if constexpr (kSplitsRows) visit("split", split);
    }
 
    HLS_INLINE Feature<C> search(int p) const { return kDelaysReference ? ahead[p] : Pack::lane(delayed, p); }
@@ -144,15 +134,15 @@ struct PairDelay {
          HLS_UNROLL
          for (int t = 0; t < kTaps; ++t) {
             const bool now = row_inside[t];
-            const bool held_back = of_row(is_before, ends, goes_on, inside_before[t], now);
+            const bool held_back = of_row(is_before, ends, goes_on, split.inside_before[t], now);
             row_inside[t] = kDelaysReference ? held_back : now;
-            search_inside[t] = kDelaysReference ? now : held_back;
+            split.search_inside[t] = kDelaysReference ? now : held_back;
          }
          if constexpr (kDelaysReference) {
-            output_group = of_row(is_before, ends, goes_on, output_before, output_group);
-            first_group = of_row(is_before, ends, goes_on, first_before, first_group);
-            start_group = of_row(is_before, ends, goes_on, start_before, start_group);
-            is_whole = of_row(is_before, ends, goes_on, whole_before, true);
+            output_group = of_row(is_before, ends, goes_on, split.output_before, output_group);
+            first_group = of_row(is_before, ends, goes_on, split.first_before, first_group);
+            start_group = of_row(is_before, ends, goes_on, split.start_before, start_group);
+            is_whole = of_row(is_before, ends, goes_on, split.whole_before, true);
          }
       }
       tag.valid = raster.features.valid;

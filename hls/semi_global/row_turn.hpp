@@ -10,6 +10,22 @@
 
 namespace stereo::semi_global {
 
+/// A column of the row before that waits, with full_width.
+template <int Moves>
+struct WaitingColumn {
+   uint16_t read_place;
+   bool first[Moves];  ///< [j]: the column of j+1 moves ago is the first of its row
+
+   HLS_INLINE WaitingColumn() { start(*this); }
+
+   template <class Visitor>
+   HLS_INLINE void registers(Visitor& visit) {
+      visit("read_place", read_place);
+      visit("first", first);
+   }
+};
+struct NoWaitingColumn {};
+
 /// Turns rows round for the path from the right: while a row comes in, the row before comes out from its last column to
 /// its first, with the sums of the forward paths, the costs and the smallest cost. Columns come out a row and kMoves
 /// moves later. Memory: map width x (D x (bits of a sum + bits of a cost) + bits of a cost).
@@ -54,9 +70,7 @@ struct RowTurn {
    typename Costs::Word write_costs[Costs::kWords];
    PathCost<C> write_smallest[1];
    uint16_t write_place;
-   // with full_width
-   uint16_t read_place;                          ///< of the column that has waited
-   bool first_waits[C.full_width ? kWaits : 1];  ///< [j]: the column of j+1 moves ago is the first of its row
+   [[no_unique_address]] std::conditional_t<C.full_width, WaitingColumn<kWaits>, NoWaitingColumn> waiting;
 
    template <class Source, int First>
    HLS_INLINE RowTurn(Source& memories, MemoryId<First> first)
@@ -82,10 +96,7 @@ struct RowTurn {
       visit("write_costs", write_costs);
       visit("write_smallest", write_smallest);
       visit("write_place", write_place);
-      if constexpr (C.full_width) {
-         visit("read_place", read_place);
-         visit("first_waits", first_waits);
-      }
+      if constexpr (C.full_width) visit("waiting", waiting);
    }
 
    HLS_INLINE void clock(const PathEntry<C>& entry, const Forward& forward) {
@@ -95,7 +106,7 @@ struct RowTurn {
       typename Costs::Word costs[Costs::kWords];
       PathCost<C> smallest[1];
       if constexpr (C.full_width) {
-         read_all(read_place, sums, costs, smallest);
+         read_all(waiting.read_place, sums, costs, smallest);
          find_read_place(entry);
       } else {
          read_all(entry.order.address, sums, costs, smallest);
@@ -120,10 +131,11 @@ struct RowTurn {
       ready_smallest[0] = select<PathCost<C>>(move, read_smallest[0], ready_smallest[0]);
       read_smallest[0] = smallest[0];
       if constexpr (C.full_width) {
-         ready_first = select<bool>(move, first_waits[kWaits - 1], ready_first);
+         ready_first = select<bool>(move, waiting.first[kWaits - 1], ready_first);
          HLS_UNROLL
-         for (int j = kWaits - 1; j > 0; --j) first_waits[j] = select<bool>(move, first_waits[j - 1], first_waits[j]);
-         first_waits[0] = select<bool>(move, entry.turned.first_column, first_waits[0]);
+         for (int j = kWaits - 1; j > 0; --j)
+            waiting.first[j] = select<bool>(move, waiting.first[j - 1], waiting.first[j]);
+         waiting.first[0] = select<bool>(move, entry.turned.first_column, waiting.first[0]);
       } else {
          ready_first = select<bool>(move, entry.turned.first_column, ready_first);
       }
@@ -153,7 +165,7 @@ struct RowTurn {
       const uint16_t if_one = place[kWaits - 2];
       const uint16_t if_next = select<uint16_t>(now, place[kWaits - 3], if_one);
       const uint16_t if_not = select<uint16_t>(now, if_one, place[kWaits - 1]);
-      read_place = select<uint16_t>(next, if_next, if_not);
+      waiting.read_place = select<uint16_t>(next, if_next, if_not);
    }
 
    HLS_INLINE void keep(const Forward& forward) {
